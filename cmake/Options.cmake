@@ -1,0 +1,17 @@
+# The project's switches. Everything is on when this is the top project, the library alone otherwise.
+option(RAYCORE_EXAMPLES "Build the programs of the guide" ${PROJECT_IS_TOP_LEVEL})
+option(RAYCORE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(RAYCORE_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
+option(RAYCORE_WERROR "Warnings are errors" ${PROJECT_IS_TOP_LEVEL})
+set(RAYCORE_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize= takes them: address,undefined or thread")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+include(GNUInstallDirs)

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// context.h: a rendering context: state, objects, scene, and the driver that traces them. [spec 1, 3.7, 3.8]
+// EGL makes contexts, gives them a surface, and asks for the picture at a swap; the entry points change them.
+#pragma once
+
+#include "api/material_table.h"
+#include "api/name_table.h"
+#include "api/profile.h"
+#include "api/state.h"
+#include "rcddk/driver.h"
+
+namespace rc::api {
+
+// Where pictures go; EGL's surfaces are such.
+class DrawSurface {
+ public:
+  virtual ~DrawSurface() = default;
+  // The back buffer at the size the surface has now.
+  virtual hal::Target backBuffer() = 0;
+};
+
+// What contexts of one share group have in common.
+struct SharedObjects {
+  explicit SharedObjects(const Profile &profile) : materials(profile.specularLevel) {}
+
+  NameTable<ddk::Texture> textures;
+  MaterialTable materials;
+};
+
+class Context {
+ public:
+  explicit Context(const Settings &settings, std::shared_ptr<SharedObjects> shared = nullptr);
+
+  State state;
+  ddk::Scene scene;
+
+  const Profile &profile() const { return mProfile; }
+  SharedObjects &objects() { return *mObjects; }
+  const SharedObjects &objects() const { return *mObjects; }
+  std::shared_ptr<SharedObjects> shared() const { return mObjects; }
+  ddk::Driver &driver() { return mDriver; }
+  const ddk::FrameStats &lastFrame() const { return mLastFrame; }
+
+  // The next rcFinish has something to do. Every call that changes what a picture shows says so.
+  void touch() { mChanged = true; }
+
+  // Where the picture goes from now on; null for none. The first surface sets the viewport.
+  void attach(DrawSurface *surface);
+  // Traces the frame if something changed since the last picture.
+  void finish();
+  // The picture was shown: dynamic geometry ends here.
+  void endFrame();
+  // Modelview and texture matrix begin anew where the profile says so. [spec 8]
+  void resetMatrices();
+
+  // Notes the first error and logs every one: "rcFrustum: RC_INVALID_VALUE: zNear is -1, not above 0".
+  [[gnu::format(printf, 3, 4)]] void fail(RCenum error, const char *reason, ...);
+  RCenum takeError();
+  void enterFunction(const char *name) { mFunction = name; }
+
+ private:
+  ddk::FrameState frameState(const hal::Target &target) const;
+
+  const Profile &mProfile;
+  int mSamples;
+  std::shared_ptr<SharedObjects> mObjects;
+  ddk::Driver mDriver;
+  DrawSurface *mSurface = nullptr;
+  bool mHadSurface = false;
+  bool mChanged = true;
+  uint64_t mFrame = 0;
+  int mWidth = 0, mHeight = 0;  // of the last picture
+  ddk::FrameStats mLastFrame;
+  RCenum mError = RC_NO_ERROR;
+  const char *mFunction = "";
+};
+
+// The context of the calling thread, or null.
+Context *currentContext();
+void setCurrentContext(Context *context);
+
+}  // namespace rc::api

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// Entry points: camera. [spec 3.1; G 2]
+#include "RC/rcu.h"
+#include "api/convert.h"
+#include "api/guard.h"
+
+using namespace rc;
+using namespace rc::api;
+
+namespace {
+
+constexpr RCsizei kLargestViewport = 16384;  // larger ones are cut silently, as in GL
+
+void setFrustum(Context &context, double l, double r, double b, double t, double zNear, double zFar) {
+  // Written so that values which are not numbers fail too.
+  if (!(zNear > 0) || !(zFar > 0) || zNear == zFar) {
+    return context.fail(RC_INVALID_VALUE, "zNear %g and zFar %g must be above 0 and differ", zNear, zFar);
+  }
+  if (!(l < r || l > r) || !(b < t || b > t)) {
+    return context.fail(RC_INVALID_VALUE, "the window %g ... %g by %g ... %g has no size", l, r, b, t);
+  }
+  if (!std::isfinite(l + r + b + t + zNear)) return context.fail(RC_INVALID_VALUE, "a value is infinite");
+  context.state.view.camera.window = {l, r, b, t, zNear};
+  context.touch();
+}
+
+void setClearColor(Context &context, const Vec4 &colour) {
+  for (int i = 0; i < 4; ++i) context.state.view.clearColor[i] = clamp01(colour[i]);
+  context.touch();
+}
+
+void setLookAt(Context &context, const Vec3 &eye, const Vec3 &centre, const Vec3 &up) {
+  const Vec3 none(0);
+  const Vec3 back = normalizedOr(eye - centre, none);
+  const Vec3 given = normalizedOr(up, none);
+  const Vec3 right = normalizedOr(glm::cross(given, back), none);
+  if (!isFinite(eye) || back == none || right == none) {
+    return context.fail(RC_INVALID_VALUE, "eye and centre must differ, and up must point across the view");
+  }
+  ddk::Camera &camera = context.state.view.camera;
+  camera.eye = eye;
+  camera.right = right;
+  camera.up = context.profile().perpendicularUp ? glm::cross(back, right) : given;
+  camera.back = back;
+  context.touch();
+}
+
+}  // namespace
+
+extern "C" {
+
+void rcViewport(RCint x, RCint y, RCsizei width, RCsizei height) {
+  enter("rcViewport", [&](Context &context) {
+    if (width < 0 || height < 0) return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", width, height);
+    ViewState &view = context.state.view;
+    view.x = x;
+    view.y = y;
+    view.width = std::min(width, kLargestViewport);
+    view.height = std::min(height, kLargestViewport);
+    context.touch();
+  });
+}
+
+void rcFrustum(RCdouble l, RCdouble r, RCdouble b, RCdouble t, RCdouble zNear, RCdouble zFar) {
+  enter("rcFrustum", [&](Context &context) { setFrustum(context, l, r, b, t, zNear, zFar); });
+}
+
+void rcFrustumf(RCfloat l, RCfloat r, RCfloat b, RCfloat t, RCfloat zNear, RCfloat zFar) {
+  enter("rcFrustumf", [&](Context &context) { setFrustum(context, l, r, b, t, zNear, zFar); });
+}
+
+void rcFrustumx(RCfixed l, RCfixed r, RCfixed b, RCfixed t, RCfixed zNear, RCfixed zFar) {
+  enter("rcFrustumx", [&](Context &context) {
+    setFrustum(context, fromFixed(l), fromFixed(r), fromFixed(b), fromFixed(t), fromFixed(zNear), fromFixed(zFar));
+  });
+}
+
+void rcuPerspective(RCfloat fovy, RCfloat aspect, RCfloat zNear, RCfloat zFar) {
+  enter("rcuPerspective", [&](Context &context) {
+    if (!(fovy > 0 && fovy < 180)) return context.fail(RC_INVALID_VALUE, "fovy %g is not between 0 and 180", fovy);
+    if (!(aspect > 0) || !std::isfinite(aspect)) return context.fail(RC_INVALID_VALUE, "aspect %g is not above 0", aspect);
+    const ddk::Window window = ddk::Window::perspective(fovy, aspect, zNear);
+    setFrustum(context, window.left, window.right, window.bottom, window.top, zNear, zFar);
+  });
+}
+
+void rcuLookAt(RCfloat eyex, RCfloat eyey, RCfloat eyez, RCfloat centerx, RCfloat centery, RCfloat centerz, RCfloat upx,
+               RCfloat upy, RCfloat upz) {
+  enter("rcuLookAt", [&](Context &context) {
+    setLookAt(context, {eyex, eyey, eyez}, {centerx, centery, centerz}, {upx, upy, upz});
+  });
+}
+
+void rcClearColor(RCclampf red, RCclampf green, RCclampf blue, RCclampf alpha) {
+  enter("rcClearColor", [&](Context &context) { setClearColor(context, {red, green, blue, alpha}); });
+}
+
+void rcClearColorx(RCclampx red, RCclampx green, RCclampx blue, RCclampx alpha) {
+  enter("rcClearColorx", [&](Context &context) {
+    setClearColor(context, {fromFixed(red), fromFixed(green), fromFixed(blue), fromFixed(alpha)});
+  });
+}
+
+// Old programs call it between the parts of one frame and inside the static scene: it must drop nothing.
+void rcClear(RCbitfield) {
+  enter("rcClear", [](Context &) {});
+}
+
+}  // extern "C"

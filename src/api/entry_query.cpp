@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// Entry points: rcGet*v. [spec 3.8; reference 4.11]
+#include "RC/rc.h"
+#include "api/convert.h"
+#include "api/guard.h"
+#include "api/query.h"
+
+using namespace rc;
+using namespace rc::api;
+
+namespace {
+
+using Kind = QueryResult::Kind;
+
+template <class Value, class Convert>
+void get(const char *function, RCenum pname, Value *params, Convert &&convert) {
+  enter(function, [&](Context &context) {
+    const QueryResult result = query(context, pname);
+    if (result.count == 0) return context.fail(RC_INVALID_ENUM, "0x%04X is no state that can be asked for", pname);
+    for (int i = 0; params && i < result.count; ++i) params[i] = convert(result.kind, result.values[size_t(i)]);
+  });
+}
+
+}  // namespace
+
+extern "C" {
+
+void rcGetBooleanv(RCenum pname, RCboolean *params) {
+  get("rcGetBooleanv", pname, params, [](Kind, double value) { return RCboolean(value != 0); });
+}
+
+void rcGetFixedv(RCenum pname, RCfixed *params) {
+  get("rcGetFixedv", pname, params,
+      [](Kind kind, double value) { return kind == Kind::Token ? RCfixed(value) : toFixed(value); });
+}
+
+void rcGetFloatv(RCenum pname, RCfloat *params) {
+  get("rcGetFloatv", pname, params, [](Kind, double value) { return static_cast<RCfloat>(value); });
+}
+
+void rcGetIntegerv(RCenum pname, RCint *params) {
+  get("rcGetIntegerv", pname, params,
+      [](Kind kind, double value) { return roundToInt(kind == Kind::Colour ? value * 255 : value); });
+}
+
+}  // extern "C"

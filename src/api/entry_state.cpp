@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// Entry points: enables, hints, errors, strings. [spec 3.8; reference 4.3, 4.6]
+#include <algorithm>
+
+#include "RC/rc.h"
+#include "api/arrays.h"
+#include "api/guard.h"
+
+using namespace rc;
+using namespace rc::api;
+
+namespace {
+
+// Caps of GL ES 1.1 that mean nothing to rays: accepted, and always reported off. [reference 4.3]
+constexpr RCenum kInertCaps[] = {
+    RC_ALPHA_TEST,   RC_BLEND,       RC_COLOR_LOGIC_OP, RC_CLIP_PLANE0,  RC_CLIP_PLANE1,
+    RC_CLIP_PLANE2,  RC_CLIP_PLANE3, RC_CLIP_PLANE4,    RC_CLIP_PLANE5,  RC_COLOR_MATERIAL,
+    RC_CULL_FACE,    RC_DEPTH_TEST,  RC_DITHER,         RC_FOG,          RC_LINE_SMOOTH,
+    RC_MULTISAMPLE,  RC_NORMALIZE,   RC_POINT_SMOOTH,   RC_POINT_SPRITE_OES, RC_POLYGON_OFFSET_FILL,
+    RC_RESCALE_NORMAL, RC_SAMPLE_ALPHA_TO_COVERAGE, RC_SAMPLE_ALPHA_TO_ONE, RC_SAMPLE_COVERAGE, RC_SCISSOR_TEST,
+    RC_STENCIL_TEST};
+
+bool isInert(RCenum cap) { return std::find(std::begin(kInertCaps), std::end(kInertCaps), cap) != std::end(kInertCaps); }
+
+// The switch of a cap that acts, or null.
+bool *findSwitch(Context &context, RCenum cap) {
+  State &state = context.state;
+  std::vector<ddk::Light> &lights = state.light.lights;
+  if (cap >= RC_LIGHT0 && cap - RC_LIGHT0 < lights.size()) return &lights[cap - RC_LIGHT0].enabled;
+  switch (cap) {
+    case RC_LIGHTING:
+      return &state.light.lighting;
+    case RC_TEXTURE_2D:
+      return &context.objects().materials.bound().textures[ddk::kColourMap].enabled;
+    case RC_TEXTURE_2D_NORMAL:
+      return &context.objects().materials.bound().textures[ddk::kNormalMap].enabled;
+    case RC_USE_SHADOW:
+      return &state.shadow.shadow;
+    case RC_USE_COLOR_SHADOW:
+      return &state.shadow.colour;
+    case RC_USE_TRANSMITTANCE_SHADOW:
+      return &state.shadow.transmittance;
+    case RC_USE_TEXTURE_ALPHA_SHADOW:
+      return &state.shadow.textureAlpha;
+    case RC_USE_TEXTURE_ONLY:
+      return &state.textureOnly;
+    case RC_LARGE_TEXTURES:
+      return &state.texture.large;
+    default:
+      return nullptr;
+  }
+}
+
+void setSwitch(Context &context, RCenum cap, bool on) {
+  if (isInert(cap)) return;
+  bool *found = findSwitch(context, cap);
+  if (!found) return context.fail(RC_INVALID_ENUM, "0x%04X cannot be enabled", cap);
+  if (*found == on) return;
+  *found = on;
+  context.touch();
+}
+
+struct HintRow {
+  RCenum target;
+  RCenum HintState::*member;
+  bool (*valid)(RCenum mode);
+};
+
+bool any(RCenum) { return true; }
+bool isQuality(RCenum mode) { return mode >= RC_DONT_CARE && mode <= RC_NICEST; }
+bool isRendering(RCenum mode) { return mode >= RC_DONT_CARE && mode <= RC_FASTEST_AND_NICEST; }
+bool isThreshold(RCenum mode) {
+  return mode == RC_DONT_CARE || (mode >= RC_THRESHOLD_LEVEL0 && mode <= RC_THRESHOLD_LEVEL9);
+}
+
+constexpr HintRow kHints[] = {
+    {RC_MIPMAP_HINT, &HintState::mipmap, isQuality},
+    {RC_RENDERING_HINT, &HintState::rendering, isRendering},
+    {RC_RAYBOUNCE_THRESHOLD_HINT, &HintState::rayBounceThreshold, isThreshold},
+    {RC_FOG_HINT, &HintState::fog, any},
+    {RC_GENERATE_MIPMAP_HINT, &HintState::generateMipmap, any},
+    {RC_LINE_SMOOTH_HINT, &HintState::lineSmooth, any},
+    {RC_PERSPECTIVE_CORRECTION_HINT, &HintState::perspective, any},
+    {RC_POINT_SMOOTH_HINT, &HintState::pointSmooth, any},
+};
+
+void setHint(Context &context, RCenum target, RCenum mode) {
+  for (const HintRow &row : kHints) {
+    if (row.target != target) continue;
+    if (!row.valid(mode)) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is none of hint 0x%04X", mode, target);
+    context.state.hints.*row.member = mode;
+    return context.touch();
+  }
+  context.fail(RC_INVALID_ENUM, "0x%04X is no hint", target);
+}
+
+struct StringRow {
+  RCenum name;
+  const char *text;
+};
+constexpr StringRow kStrings[] = {{RC_VENDOR, "Siliconarts Inc."},
+                                  {RC_RENDERER, "RayCore"},
+                                  {RC_VERSION, "RayCore API 1.0"},
+                                  {RC_EXTENSIONS, ""}};
+
+}  // namespace
+
+extern "C" {
+
+RCenum rcGetError(void) {
+  Context *context = currentContext();
+  return context ? context->takeError() : takeMissingContext();
+}
+
+void rcEnable(RCenum cap) {
+  enter("rcEnable", [&](Context &context) { setSwitch(context, cap, true); });
+}
+
+void rcDisable(RCenum cap) {
+  enter("rcDisable", [&](Context &context) { setSwitch(context, cap, false); });
+}
+
+RCboolean rcIsEnabled(RCenum cap) {
+  return enter("rcIsEnabled", [&](Context &context) -> RCboolean {
+    if (isInert(cap)) return RC_FALSE;
+    if (const ClientArray *array = findArray(context.state.arrays, cap)) return array->enabled;
+    if (const bool *found = findSwitch(context, cap)) return *found;
+    context.fail(RC_INVALID_ENUM, "0x%04X cannot be enabled", cap);
+    return RC_FALSE;
+  });
+}
+
+void rcHint(RCenum target, RCenum mode) {
+  enter("rcHint", [&](Context &context) { setHint(context, target, mode); });
+}
+
+const RCubyte *rcGetString(RCenum name) {
+  return enter("rcGetString", [&](Context &context) -> const RCubyte * {
+    for (const StringRow &row : kStrings) {
+      if (row.name == name) return reinterpret_cast<const RCubyte *>(row.text);
+    }
+    context.fail(RC_INVALID_ENUM, "0x%04X is no string", name);
+    return nullptr;
+  });
+}
+
+}  // extern "C"

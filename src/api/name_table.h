@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// name_table.h: objects by name; a new name is the lowest free one. [reference 3.3]
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "RC/rctypes.h"
+
+namespace rc::api {
+
+template <class Object>
+class NameTable {
+ public:
+  // Makes an object under the lowest free name from 1 on.
+  RCuint generate() {
+    while (mObjects.contains(mLowestFree)) ++mLowestFree;
+    mObjects.emplace(mLowestFree, std::make_shared<Object>());
+    return mLowestFree;
+  }
+
+  // The object of a name, made if the name is not in use.
+  const std::shared_ptr<Object> &bind(RCuint name) {
+    std::shared_ptr<Object> &object = mObjects[name];
+    if (!object) object = std::make_shared<Object>();
+    return object;
+  }
+
+  void remove(RCuint name) {
+    if (name == 0 || mObjects.erase(name) == 0) return;
+    if (name < mLowestFree) mLowestFree = name;
+  }
+
+  bool contains(RCuint name) const { return name == 0 || mObjects.contains(name); }
+
+ private:
+  std::map<RCuint, std::shared_ptr<Object>> mObjects;
+  RCuint mLowestFree = 1;  // no name below is free
+};
+
+}  // namespace rc::api

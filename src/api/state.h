@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// state.h: the state of a context, a struct for each family, with its initial values. [reference 3.2]
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "RC/rctokens.h"
+#include "RC/rctypes.h"
+#include "api/matrix_stack.h"
+#include "rcddk/camera.h"
+#include "rcddk/light.h"
+#include "rcddk/material.h"
+
+namespace rc::api {
+
+struct ViewState {
+  RCint x = 0, y = 0;
+  RCsizei width = 800, height = 480;
+  Vec4 clearColor{0};
+  ddk::Camera camera;
+};
+
+struct MatrixState {
+  RCenum mode = RC_MODELVIEW;
+  MatrixStack modelview, projection, texture;
+
+  MatrixStack &current() {
+    return mode == RC_PROJECTION ? projection : mode == RC_TEXTURE ? texture : modelview;
+  }
+};
+
+struct LightState {
+  bool lighting = false;
+  std::vector<ddk::Light> lights;  // as many as the profile has
+};
+
+// The current texture of a target. A material may hold another one.
+struct TextureBinding {
+  RCuint name = 0;
+  std::shared_ptr<ddk::Texture> texture;
+};
+
+struct TextureState {
+  std::array<TextureBinding, ddk::kTextureSlots> bound;
+  ddk::TextureSlot last = ddk::kColourMap;  // what rcTexImage2D loads: the slot bound last
+  RCubyte alpha = 16;
+  bool generateMipmap = true;
+  bool large = false;
+};
+
+struct ClientArray {
+  bool enabled = false;
+  RCint size;
+  RCenum type = RC_FLOAT;
+  RCsizei stride = 0;  // as given; 0 = packed
+  const RCvoid *pointer = nullptr;
+};
+
+struct ArrayState {
+  ClientArray vertex{.size = 3}, normal{.size = 3}, texCoord{.size = 2};
+};
+
+struct ShadowState {
+  bool shadow = true, colour = true;                         // of the frame
+  bool transmittance = false, textureAlpha = false;          // captured by a draw
+};
+
+struct HintState {
+  RCenum mipmap = RC_DONT_CARE, rendering = RC_DONT_CARE, rayBounceThreshold = RC_DONT_CARE;
+  RCenum fog = RC_DONT_CARE, generateMipmap = RC_DONT_CARE, lineSmooth = RC_DONT_CARE;
+  RCenum perspective = RC_DONT_CARE, pointSmooth = RC_DONT_CARE;
+};
+
+struct State {
+  ViewState view;
+  MatrixState matrices;
+  LightState light;
+  TextureState texture;
+  ArrayState arrays;
+  ShadowState shadow;
+  HintState hints;
+  Vec4 currentColor{1};
+  bool textureOnly = false;  // captured by a draw
+  int depthBounce = 10;      // the profile's
+};
+
+}  // namespace rc::api

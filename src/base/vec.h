@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// vec.h: the vectors and matrices of the project: GLM's, under the names that the code uses.
+// Spaces are said by variable names: worldFromObject * pointInObject. Colours are linear RGB, 0 ... 1.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+namespace rc {
+
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using Vec4 = glm::vec4;
+using Mat4 = glm::mat4;  // column-major, as in the API
+using Rgb = glm::vec3;
+
+static_assert(sizeof(Vec3) == 12 && sizeof(Vec2) == 8, "hot data count on packed vectors");
+
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+inline bool isFinite(const Vec3 &v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+inline float maxComponent(const Vec3 &v) { return std::max(v.x, std::max(v.y, v.z)); }
+inline float minComponent(const Vec3 &v) { return std::min(v.x, std::min(v.y, v.z)); }
+
+// v / |v|, or fallback where v has no direction.
+inline Vec3 normalizedOr(const Vec3 &v, const Vec3 &fallback) {
+  const float length = glm::length(v);
+  return length > 0 && std::isfinite(length) ? v / length : fallback;
+}
+
+}  // namespace rc

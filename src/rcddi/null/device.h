@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// The null device: accepts everything and traces nothing.
+#pragma once
+
+#include "rchal/device.h"
+
+namespace rc::ddi::null {
+
+std::unique_ptr<hal::Device> createDevice(int threads);
+
+}  // namespace rc::ddi::null

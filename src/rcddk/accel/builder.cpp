@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "rcddk/accel/builder.h"
+
+namespace rc::ddk {
+
+using hal::HotTriangle;
+
+float boxMargin(const HotTriangle &triangle) {
+  const Vec3 largest = glm::max(glm::abs(triangle.v0), glm::max(glm::abs(triangle.v1), glm::abs(triangle.v2)));
+  return std::max(maxComponent(largest) * 0x1p-21f, 1e-36f);
+}
+
+std::vector<Reference> makeReferences(std::span<const HotTriangle> triangles, Bounds &all) {
+  std::vector<Reference> references(triangles.size());
+  for (size_t i = 0; i < triangles.size(); ++i) {
+    Reference &reference = references[i];
+    reference.primitive = static_cast<uint32_t>(i);
+    for (const Vec3 &v : {triangles[i].v0, triangles[i].v1, triangles[i].v2}) reference.box.add(v);
+    const float margin = boxMargin(triangles[i]);
+    reference.box.lower -= margin;
+    reference.box.upper += margin;
+    all.add(reference.box);
+  }
+  return references;
+}
+
+Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const Workers &workers) {
+  Accel accel;
+  accel.kind = kind;
+  if (triangles.empty()) return accel;
+  workers.run([&] {
+    if (kind == AccelKind::KdTree) buildKdTree(triangles, accel);
+    if (kind == AccelKind::Bvh) buildBvh(triangles, accel);
+  });
+  return accel;
+}
+
+}  // namespace rc::ddk

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// builder.h: triangles to an acceleration structure. [G 1.2a]
+// Both kinds are complete and deterministic: the same triangles give the same tree on any number of threads.
+#pragma once
+
+#include <vector>
+
+#include "base/parallel.h"
+#include "rchal/scene_view.h"
+
+namespace rc::ddk {
+
+struct Accel {
+  AccelKind kind = AccelKind::Exhaustive;
+  Bounds bounds;
+  std::vector<hal::KdNode8> kdNodes;
+  std::vector<hal::BvhNode32> bvhNodes;
+  std::vector<uint32_t> primitives;
+
+  hal::AccelView view() const { return {kind, bounds, kdNodes, bvhNodes, primitives}; }
+  size_t bytes() const {
+    return kdNodes.size() * sizeof(hal::KdNode8) + bvhNodes.size() * sizeof(hal::BvhNode32) +
+           primitives.size() * sizeof(uint32_t);
+  }
+};
+
+// Triangles must be finite.
+Accel buildAccel(AccelKind kind, std::span<const hal::HotTriangle> triangles, const Workers &workers);
+
+// One for each kind; buildAccel chooses.
+void buildKdTree(std::span<const hal::HotTriangle> triangles, Accel &accel);
+void buildBvh(std::span<const hal::HotTriangle> triangles, Accel &accel);
+
+// A triangle, or the part of it that lies in a cell, on its way through a builder.
+struct Reference {
+  Bounds box;
+  uint32_t primitive = 0;
+};
+
+// How far the box of a triangle is widened, so that no ray which the intersection unit lets hit the triangle
+// can miss its box by rounding.
+float boxMargin(const hal::HotTriangle &triangle);
+
+// One for each triangle, widened; accel.bounds becomes their union.
+std::vector<Reference> makeReferences(std::span<const hal::HotTriangle> triangles, Bounds &all);
+
+// Subtrees with at least so many references are built at the same time as their siblings.
+inline constexpr size_t kParallelReferences = 8192;
+
+}  // namespace rc::ddk

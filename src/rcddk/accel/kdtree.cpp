@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// kdtree.cpp: a KD-tree by the surface area heuristic, the guide's default structure.
+// Planes are chosen by min-max binning (Shevtsov, Soupikov, Kapustin: "Highly Parallel Fast KD-tree
+// Construction", 2007); triangles that a plane cuts go to both sides with boxes of their parts ("split
+// clipping", Havran and Bittner: "On Improving KD-Trees for Ray Shooting", 2002).
+#include <array>
+
+#include "rcddk/accel/builder.h"
+
+namespace rc::ddk {
+namespace {
+
+using hal::HotTriangle;
+using hal::KdNode8;
+
+constexpr int kBins = 32;
+constexpr float kNodeCost = 1.0f;      // of a step through an inner node, in triangle tests
+constexpr float kEmptyFactor = 0.8f;   // what a split costs that cuts empty space off
+constexpr size_t kLeafSize = 2;        // not worth splitting
+constexpr int kMaxBadSplits = 3;       // on a path: splits that do not pay by themselves may pay below
+
+struct Split {
+  int axis = -1;
+  float position = 0;
+  float cost = kInfinity;
+};
+
+struct Subtree {
+  std::vector<KdNode8> nodes;
+  std::vector<uint32_t> primitives;
+
+  // Puts another subtree behind this one.
+  void append(const Subtree &other) {
+    const auto nodeBase = static_cast<uint32_t>(nodes.size()), primitiveBase = static_cast<uint32_t>(primitives.size());
+    for (KdNode8 node : other.nodes) {
+      nodes.push_back(node.isLeaf() ? KdNode8::leaf(node.offset + primitiveBase, node.count())
+                                    : KdNode8::inner(node.axis(), node.split, node.right() + nodeBase));
+    }
+    primitives.insert(primitives.end(), other.primitives.begin(), other.primitives.end());
+  }
+};
+
+class KdBuilder {
+ public:
+  explicit KdBuilder(std::span<const HotTriangle> triangles) : mTriangles(triangles) {}
+
+  // Appends the subtree of the references, which all reach into the cell, to `out`.
+  void build(std::vector<Reference> references, const Bounds &cell, int depthLeft, int badSplits, Subtree &out) const {
+    const Split split = depthLeft > 0 && references.size() > kLeafSize ? bestSplit(references, cell) : Split{};
+    const auto leafCost = static_cast<float>(references.size());
+    if (split.cost > leafCost) ++badSplits;
+    if (split.axis < 0 || badSplits > kMaxBadSplits || (split.cost > 4 * leafCost && references.size() < 16)) {
+      makeLeaf(references, out);
+      return;
+    }
+    std::vector<Reference> left, right;
+    distribute(references, split, left, right);
+    if (left.size() == references.size() && right.size() == references.size()) {  // the plane separates nothing
+      makeLeaf(references, out);
+      return;
+    }
+    const bool parallel = references.size() >= kParallelReferences;
+    references = {};
+    Bounds leftCell = cell, rightCell = cell;
+    leftCell.upper[split.axis] = rightCell.lower[split.axis] = split.position;
+
+    const size_t node = out.nodes.size();
+    out.nodes.push_back({});
+    size_t rightIndex = 0;
+    if (parallel) {
+      Subtree leftTree, rightTree;
+      both([&] { build(std::move(left), leftCell, depthLeft - 1, badSplits, leftTree); },
+           [&] { build(std::move(right), rightCell, depthLeft - 1, badSplits, rightTree); });
+      out.append(leftTree);
+      rightIndex = out.nodes.size();
+      out.append(rightTree);
+    } else {
+      build(std::move(left), leftCell, depthLeft - 1, badSplits, out);
+      rightIndex = out.nodes.size();
+      build(std::move(right), rightCell, depthLeft - 1, badSplits, out);
+    }
+    out.nodes[node] = KdNode8::inner(uint32_t(split.axis), split.position, static_cast<uint32_t>(rightIndex));
+  }
+
+ private:
+  static void makeLeaf(const std::vector<Reference> &references, Subtree &out) {
+    out.nodes.push_back(KdNode8::leaf(uint32_t(out.primitives.size()), uint32_t(references.size())));
+    for (const Reference &reference : references) out.primitives.push_back(reference.primitive);
+  }
+
+  static Split bestSplit(const std::vector<Reference> &references, const Bounds &cell) {
+    Bounds content;  // planes beyond it would only cut more empty space
+    for (const Reference &reference : references) content.add(reference.box);
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) evaluate(references, content, cell, axis, best);
+    return best;
+  }
+
+  // Counts where boxes begin and end; sums of the counts tell how many lie on each side of a bin's border.
+  static void evaluate(const std::vector<Reference> &references, const Bounds &content, const Bounds &cell, int axis,
+                       Split &best) {
+    const float lower = content.lower[axis], size = content.size()[axis];
+    if (!(size > 0) || !std::isfinite(size)) return;
+    const float scale = kBins * 0.9999f / size;
+    const auto binOf = [&](float x) { return static_cast<size_t>(std::clamp((x - lower) * scale, 0.0f, kBins - 1.0f)); };
+    std::array<size_t, kBins> begins{}, ends{};
+    for (const Reference &reference : references) {
+      ++begins[binOf(reference.box.lower[axis])];
+      ++ends[binOf(reference.box.upper[axis])];
+    }
+    size_t left = 0, right = references.size();
+    for (int border = 0; border <= kBins; ++border) {
+      if (border > 0) {
+        left += begins[size_t(border - 1)];
+        right -= ends[size_t(border - 1)];
+      }
+      const float position = border == 0       ? lower
+                             : border == kBins ? content.upper[axis]
+                                               : lower + size * static_cast<float>(border) / kBins;
+      if (position <= cell.lower[axis] || position >= cell.upper[axis]) continue;
+      Bounds leftCell = cell, rightCell = cell;
+      leftCell.upper[axis] = rightCell.lower[axis] = position;
+      const float tests = leftCell.halfArea() * static_cast<float>(left) + rightCell.halfArea() * static_cast<float>(right);
+      const float cost = kNodeCost + (left == 0 || right == 0 ? kEmptyFactor : 1) * tests / cell.halfArea();
+      if (cost < best.cost) best = {axis, position, cost};
+    }
+  }
+
+  void distribute(const std::vector<Reference> &references, const Split &split, std::vector<Reference> &left,
+                  std::vector<Reference> &right) const {
+    for (const Reference &reference : references) {
+      if (reference.box.upper[split.axis] <= split.position) {
+        left.push_back(reference);
+      } else if (reference.box.lower[split.axis] >= split.position) {
+        right.push_back(reference);
+      } else {
+        cut(reference, split, left, right);
+      }
+    }
+  }
+
+  // The parts of a triangle on both sides of a plane, as boxes; a part that misses the old box is dropped.
+  void cut(const Reference &reference, const Split &split, std::vector<Reference> &left,
+           std::vector<Reference> &right) const {
+    const HotTriangle &triangle = mTriangles[reference.primitive];
+    const Vec3 vertices[3] = {triangle.v0, triangle.v1, triangle.v2};
+    Bounds below, above;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 &a = vertices[i], &b = vertices[(i + 1) % 3];
+      const float da = a[split.axis] - split.position, db = b[split.axis] - split.position;
+      if (da <= 0) below.add(a);
+      if (da >= 0) above.add(a);
+      if ((da < 0 && db > 0) || (da > 0 && db < 0)) {
+        const Vec3 crossing = glm::mix(a, b, std::clamp(da / (da - db), 0.0f, 1.0f));
+        below.add(crossing);
+        above.add(crossing);
+      }
+    }
+    const float margin = boxMargin(triangle);
+    keep(below, margin, reference, split, left, &Bounds::upper);
+    keep(above, margin, reference, split, right, &Bounds::lower);
+  }
+
+  static void keep(Bounds part, float margin, const Reference &reference, const Split &split,
+                   std::vector<Reference> &side, Vec3 Bounds::*cutSide) {
+    // Only the widened box crosses the plane: keep the sliver.
+    if (part.empty()) part = reference.box;
+    part.lower -= margin;
+    part.upper += margin;
+    part = intersection(part, reference.box);
+    (part.*cutSide)[split.axis] = split.position;
+    if (!part.empty()) side.push_back({part, reference.primitive});
+  }
+
+  std::span<const HotTriangle> mTriangles;
+};
+
+}  // namespace
+
+void buildKdTree(std::span<const HotTriangle> triangles, Accel &accel) {
+  std::vector<Reference> references = makeReferences(triangles, accel.bounds);
+  const int depth = std::min(8 + static_cast<int>(1.3f * std::log2(static_cast<float>(references.size()))),
+                             hal::kMaxTreeDepth - 2);
+  Subtree tree;
+  KdBuilder(triangles).build(std::move(references), accel.bounds, depth, 0, tree);
+  tree.nodes.shrink_to_fit();
+  tree.primitives.shrink_to_fit();
+  accel.kdNodes = std::move(tree.nodes);
+  accel.primitives = std::move(tree.primitives);
+}
+
+}  // namespace rc::ddk

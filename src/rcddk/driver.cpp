@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "rcddk/driver.h"
+
+#include <chrono>
+#include <unordered_map>
+
+namespace rc::ddk {
+namespace {
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - mStart).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point mStart = std::chrono::steady_clock::now();
+};
+
+// The tables a SceneView points into, for the length of one frame.
+class Snapshot {
+ public:
+  Snapshot(const FrameState &state, const Scene &scene) {
+    rowsOf(state.materials, state.colourShadow, mNamed);
+    rowsOf(scene.statics().captured, state.colourShadow, mStaticCaptured);
+    rowsOf(scene.dynamics().captured, state.colourShadow, mDynamicCaptured);
+    collectLights(state);
+
+    mView.geometry = {geometryView(scene.statics(), mStaticCaptured), geometryView(scene.dynamics(), mDynamicCaptured)};
+    mView.materials = mNamed;
+    mView.textures = mTextures;
+    mView.lights = mLights;
+    mView.camera = state.camera;
+    mView.clearColor = state.clearColor;
+    mView.maxBounces = state.maxBounces;
+    mView.samples = state.samples;
+    mView.minWeight = state.minWeight;
+    mView.shadows = state.shadows;
+    mView.mipmaps = state.mipmaps;
+  }
+  Snapshot(const Snapshot &) = delete;
+  Snapshot &operator=(const Snapshot &) = delete;
+
+  const hal::SceneView &view() const { return mView; }
+
+ private:
+  void rowsOf(std::span<const Material> materials, bool colourShadow, std::vector<hal::MaterialRow> &rows) {
+    rows.reserve(materials.size());
+    for (const Material &material : materials) {
+      rows.push_back(materialRow(material, textureIndex(material.visibleTexture()), colourShadow));
+    }
+  }
+
+  int32_t textureIndex(const Texture *texture) {
+    if (!texture) return hal::kNoTexture;
+    const auto [place, isNew] = mIndices.try_emplace(texture, static_cast<int32_t>(mTextures.size()));
+    if (isNew) mTextures.push_back(texture->view());
+    return place->second;
+  }
+
+  void collectLights(const FrameState &state) {
+    for (const Light &light : state.lights) {
+      if (state.lighting && light.enabled) mLights.push_back(lightRow(light));
+    }
+    if (mLights.empty()) mLights.push_back(defaultLightRow(state.defaultLight));
+  }
+
+  static hal::GeometryView geometryView(const GeometrySet &set, std::span<const hal::MaterialRow> captured) {
+    return {set.triangles, set.attributes, captured, set.accel.view(), set.filtersShadow};
+  }
+
+  std::vector<hal::MaterialRow> mNamed, mStaticCaptured, mDynamicCaptured;
+  std::vector<hal::TextureView> mTextures;
+  std::unordered_map<const Texture *, int32_t> mIndices;
+  std::vector<hal::LightRow> mLights;
+  hal::SceneView mView;
+};
+
+}  // namespace
+
+Driver::Driver(const Settings &settings) : mAccelKind(settings.accel), mWorkers(settings.threads) {
+  mDevice = hal::createDevice(settings.device, settings.threads);
+  if (mDevice) return;
+  log(LogLevel::Warning, "there is no device \"%s\"; \"cpu\" is used", settings.device.c_str());
+  mDevice = hal::createDevice("cpu", settings.threads);
+}
+
+FrameStats Driver::trace(const FrameState &state, Scene &scene, const hal::Target &target) {
+  FrameStats stats;
+  const Stopwatch building;
+  scene.buildDynamic(mAccelKind, mWorkers);
+  stats.buildMilliseconds = building.milliseconds();
+
+  const Stopwatch tracing;
+  const Snapshot snapshot(state, scene);
+  stats.rays = mDevice->trace(snapshot.view(), target);
+  stats.traceMilliseconds = tracing.milliseconds();
+  stats.width = target.width;
+  stats.height = target.height;
+  stats.staticTriangles = scene.statics().triangles.size();
+  stats.dynamicTriangles = scene.dynamics().triangles.size();
+  stats.skippedTriangles = scene.statics().skipped + scene.dynamics().skipped;
+  return stats;
+}
+
+}  // namespace rc::ddk

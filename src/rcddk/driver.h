@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// driver.h: state and scene to a SceneView, and that to the device: rcFinish lands here. [spec 1]
+// In: FrameState, Scene.  Out: the picture in the Target, FrameStats.  Next: rchal/device.h
+#pragma once
+
+#include <span>
+
+#include "rcddk/camera.h"
+#include "rcddk/light.h"
+#include "rcddk/scene.h"
+#include "rchal/device.h"
+
+namespace rc::ddk {
+
+// What of the state a frame depends on, besides the scene.
+struct FrameState {
+  hal::CameraView camera;
+  Rgb clearColor{0};
+  std::span<const Material> materials;  // by name
+  std::span<const Light> lights;
+  bool lighting = false;
+  Vec3 defaultLight{0};  // where the light is that shines when no other does
+  bool shadows = true, colourShadow = true;
+  bool mipmaps = true;
+  int maxBounces = 10;
+  int samples = 1;
+  float minWeight = 0;
+};
+
+struct FrameStats {
+  int width = 0, height = 0;
+  size_t staticTriangles = 0, dynamicTriangles = 0, skippedTriangles = 0;
+  hal::RayCounts rays;
+  double buildMilliseconds = 0, traceMilliseconds = 0;
+};
+
+class Driver {
+ public:
+  // A device that does not exist is reported, and "cpu" is taken.
+  explicit Driver(const Settings &settings);
+
+  AccelKind accelKind() const { return mAccelKind; }
+  const Workers &workers() const { return mWorkers; }
+
+  FrameStats trace(const FrameState &state, Scene &scene, const hal::Target &target);
+
+ private:
+  AccelKind mAccelKind;
+  Workers mWorkers;
+  std::unique_ptr<hal::Device> mDevice;
+};
+
+}  // namespace rc::ddk

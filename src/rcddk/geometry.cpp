@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "rcddk/geometry.h"
+
+#include <cstring>
+
+namespace rc::ddk {
+namespace {
+
+template <class T>
+T load(const std::byte *at) {
+  T value;
+  std::memcpy(&value, at, sizeof value);  // client memory need not be aligned
+  return value;
+}
+
+size_t sizeOf(Component type) { return type == Component::Byte ? 1 : type == Component::Short ? 2 : 4; }
+
+float loadComponent(Component type, const std::byte *at) {
+  switch (type) {
+    case Component::Byte:
+      return load<int8_t>(at);
+    case Component::Short:
+      return load<int16_t>(at);
+    case Component::Fixed:
+      return static_cast<float>(load<int32_t>(at)) / 65536;
+    case Component::Float:
+      break;
+  }
+  return load<float>(at);
+}
+
+Vec3 loadVec3(const ArrayView &array, size_t index) {
+  const std::byte *at = array.data + index * array.stride;
+  const size_t step = sizeOf(array.type);
+  return {loadComponent(array.type, at), loadComponent(array.type, at + step), loadComponent(array.type, at + 2 * step)};
+}
+
+Vec2 loadVec2(const ArrayView &array, size_t index) {
+  const std::byte *at = array.data + index * array.stride;
+  return {loadComponent(array.type, at), loadComponent(array.type, at + sizeOf(array.type))};
+}
+
+size_t loadIndex(const IndexView &indices, size_t i) {
+  switch (indices.type) {
+    case IndexType::Byte:
+      return load<uint8_t>(indices.data + i);
+    case IndexType::Short:
+      return load<uint16_t>(indices.data + 2 * i);
+    case IndexType::Int:
+      return load<uint32_t>(indices.data + 4 * i);
+    case IndexType::Sequence:
+      break;
+  }
+  return indices.first + i;
+}
+
+// Calls emit with the three vertices of each triangle, numbered within the draw call.
+template <class Emit>
+void forEachTriangle(Primitive primitive, size_t count, Emit &&emit) {
+  switch (primitive) {
+    case Primitive::Triangles:
+      for (size_t i = 0; i + 3 <= count; i += 3) emit(i, i + 1, i + 2);
+      break;
+    case Primitive::Quads:
+      for (size_t i = 0; i + 4 <= count; i += 4) {
+        emit(i, i + 1, i + 2);
+        emit(i, i + 2, i + 3);
+      }
+      break;
+    case Primitive::TriangleFan:
+      for (size_t i = 2; i < count; ++i) emit(size_t{0}, i - 1, i);
+      break;
+    case Primitive::TriangleStrip:  // every second triangle is turned round, so that all face the same way
+      for (size_t i = 2; i < count; ++i) i % 2 == 0 ? emit(i - 2, i - 1, i) : emit(i - 1, i - 2, i);
+      break;
+  }
+}
+
+// Inverse transpose of the upper 3 x 3 up to a positive factor; defined for singular matrices too.
+glm::mat3 normalMatrix(const Mat4 &worldFromObject) {
+  const Vec3 x(worldFromObject[0]), y(worldFromObject[1]), z(worldFromObject[2]);
+  const glm::mat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+  return glm::dot(x, cofactors[0]) < 0 ? -cofactors : cofactors;
+}
+
+class Assembler {
+ public:
+  Assembler(const DrawCall &call, GeometrySet &set)
+      : mCall(call), mSet(set), mNormalMatrix(normalMatrix(call.worldFromObject)) {}
+
+  void add(size_t i0, size_t i1, size_t i2) {
+    const size_t elements[3] = {loadIndex(mCall.indices, i0), loadIndex(mCall.indices, i1), loadIndex(mCall.indices, i2)};
+    hal::HotTriangle triangle{position(elements[0]), position(elements[1]), position(elements[2]),
+                              mCall.material,        mCall.flags,           0};
+    const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
+    // Not finite, or without area as far as float can tell: the hit point would have no normal.
+    if (!isFinite(triangle.v0 + triangle.v1 + triangle.v2) || !isFinite(edges) || !(glm::length(edges) > 0)) {
+      ++mSet.skipped;
+      return;
+    }
+    hal::TriangleAttributes attributes{};
+    for (size_t corner = 0; corner < 3; ++corner) {
+      if (mCall.texCoords.data) attributes.uv[corner] = texCoord(elements[corner]);
+    }
+    if (mCall.normals.data && readNormals(elements, edges, attributes)) triangle.flags |= hal::kHasNormals;
+    mSet.triangles.push_back(triangle);
+    mSet.attributes.push_back(attributes);
+  }
+
+ private:
+  Vec3 position(size_t element) const {
+    return Vec3(mCall.worldFromObject * Vec4(loadVec3(mCall.vertices, element), 1));
+  }
+
+  Vec2 texCoord(size_t element) const {
+    const Vec4 coordinate = mCall.textureMatrix * Vec4(loadVec2(mCall.texCoords, element), 0, 1);
+    const float q = coordinate.w != 0 ? coordinate.w : 1;
+    return Vec2(coordinate) / q;
+  }
+
+  // False where no corner has a usable normal; a corner without one gets the flat normal.
+  bool readNormals(const size_t (&elements)[3], const Vec3 &edges, hal::TriangleAttributes &attributes) const {
+    const Vec3 flat = glm::normalize(edges);
+    bool usable = false;
+    for (size_t corner = 0; corner < 3; ++corner) {
+      const Vec3 normal = mNormalMatrix * loadVec3(mCall.normals, elements[corner]);
+      const bool valid = isFinite(normal) && glm::length(normal) > 0;
+      attributes.normal[corner] = valid ? normalizedOr(normal, flat) : flat;
+      usable |= valid;
+    }
+    return usable;
+  }
+
+  const DrawCall &mCall;
+  GeometrySet &mSet;
+  glm::mat3 mNormalMatrix;
+};
+
+}  // namespace
+
+void appendTriangles(const DrawCall &call, GeometrySet &set) {
+  Assembler assembler(call, set);
+  forEachTriangle(call.primitive, call.indices.count,
+                  [&](size_t i0, size_t i1, size_t i2) { assembler.add(i0, i1, i2); });
+  set.filtersShadow |= (call.flags & hal::kFiltersShadow) != 0;
+}
+
+}  // namespace rc::ddk

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// geometry.h: client arrays to triangles in world space. [spec 3.6; G 7]
+// In: a draw call's arrays, matrices and flags.  Out: a GeometrySet.  Next: rcddk/scene.cpp, accel/builder.h
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "rcddk/accel/builder.h"
+#include "rcddk/material.h"
+
+namespace rc::ddk {
+
+enum class Component { Byte, Short, Float, Fixed };
+enum class Primitive { Triangles, Quads, TriangleFan, TriangleStrip };
+enum class IndexType { Sequence, Byte, Short, Int };
+
+// A vertex array in client memory; data is null where the array is off.
+struct ArrayView {
+  const std::byte *data = nullptr;
+  Component type = Component::Float;
+  size_t stride = 0;  // bytes from one element to the next
+};
+
+// Which elements of the arrays the vertices of a draw call are.
+struct IndexView {
+  IndexType type = IndexType::Sequence;  // Sequence: first, first + 1, ...
+  const std::byte *data = nullptr;
+  size_t first = 0;
+  size_t count = 0;
+};
+
+struct DrawCall {
+  Primitive primitive = Primitive::Triangles;
+  IndexView indices;
+  ArrayView vertices, normals, texCoords;
+  Mat4 worldFromObject{1};
+  Mat4 textureMatrix{1};
+  uint32_t material = 0;  // as in hal::HotTriangle
+  uint32_t flags = 0;     // hal::TriangleFlag, without kHasNormals
+};
+
+// The static scene or one frame's dynamic geometry.
+struct GeometrySet {
+  std::vector<hal::HotTriangle> triangles;
+  std::vector<hal::TriangleAttributes> attributes;
+  std::vector<Material> captured;  // of draws without a material object
+  Accel accel;
+  size_t skipped = 0;  // degenerate or non-finite triangles
+  bool filtersShadow = false;
+
+  bool empty() const { return triangles.empty(); }
+};
+
+// Appends the triangles of a draw call; incomplete last primitives are dropped.
+void appendTriangles(const DrawCall &call, GeometrySet &set);
+
+}  // namespace rc::ddk

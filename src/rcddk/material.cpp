@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "rcddk/material.h"
+
+namespace rc::ddk {
+namespace {
+
+// What of a light a transmitting surface lets through. [reference 4.2]
+// Grey surfaces pass t; coloured ones t^(5 - 4 diffuse) per channel, so that their own colour passes best.
+Rgb shadowTint(const Rgb &transmittance, const Rgb &diffuse, bool colourShadow) {
+  if (!colourShadow) return Rgb((transmittance.x + transmittance.y + transmittance.z) / 3);
+  if (diffuse.x == diffuse.y && diffuse.y == diffuse.z) return transmittance;
+  Rgb tint;
+  for (int i = 0; i < 3; ++i) tint[i] = std::pow(transmittance[i], 5 - 4 * diffuse[i]);
+  return tint;
+}
+
+}  // namespace
+
+hal::MaterialRow materialRow(const Material &material, int32_t texture, bool colourShadow) {
+  hal::MaterialRow row;
+  row.ambient = material.ambient;
+  row.diffuse = material.diffuse;
+  row.specular = material.specular * material.specularLevel;
+  row.emission = material.emission;
+  row.reflection = material.reflection;
+  row.transmittance = material.transmittance;
+  for (int i = 0; i < 3; ++i) {
+    const float sum = row.reflection[i] + row.transmittance[i];
+    if (sum <= 1) continue;
+    row.reflection[i] /= sum;
+    row.transmittance[i] /= sum;
+  }
+  row.shadowTint = shadowTint(row.transmittance, material.diffuse, colourShadow);
+  row.shininess = material.shininess;
+  row.refractionIndex = material.refractionIndex > 0 ? material.refractionIndex : 1;  // 0 bends nothing
+  row.texture = texture;
+  const TextureUse &use = material.textures[kColourMap];
+  if (use.texture) {
+    row.wrapS = wrapOf(use.wrapS.value_or(use.texture->wrapS));
+    row.wrapT = wrapOf(use.wrapT.value_or(use.texture->wrapT));
+  }
+  return row;
+}
+
+}  // namespace rc::ddk

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "rcddk/scene.h"
+
+namespace rc::ddk {
+namespace {
+
+// Empties the set but keeps its memory: the next frame will be about as large.
+void recycle(GeometrySet &set) {
+  set.triangles.clear();
+  set.attributes.clear();
+  set.captured.clear();
+  set.accel = {};
+  set.skipped = 0;
+  set.filtersShadow = false;
+}
+
+}  // namespace
+
+void Scene::clear() {
+  mStatics = {};
+  mDynamics = {};
+  mInStaticScene = mDynamicsTraced = false;
+}
+
+void Scene::beginStatic() {
+  mStatics = {};
+  mInStaticScene = true;
+}
+
+void Scene::endStatic(AccelKind kind, const Workers &workers) {
+  if (!mInStaticScene) return;
+  mInStaticScene = false;
+  mStatics.accel = buildAccel(kind, mStatics.triangles, workers);
+}
+
+void Scene::abandonStatic() {
+  mStatics = {};
+  mInStaticScene = false;
+}
+
+GeometrySet &Scene::target() {
+  if (mInStaticScene) return mStatics;
+  if (mDynamicsTraced) recycle(mDynamics);
+  mDynamicsTraced = false;
+  return mDynamics;
+}
+
+void Scene::buildDynamic(AccelKind kind, const Workers &workers) {
+  if (!mDynamicsTraced) mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers);
+  mDynamicsTraced = true;
+}
+
+bool Scene::endFrame() {
+  const bool had = mDynamicsTraced && !mDynamics.empty();
+  if (mDynamicsTraced) recycle(mDynamics);
+  mDynamicsTraced = false;
+  return had;
+}
+
+}  // namespace rc::ddk

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// device.h: the only door between the driver and what traces rays. A device is a sibling folder in
+// rcddi/ and is found by name through createDevice (rcddi/registry.cpp).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "rchal/scene_view.h"
+
+namespace rc::hal {
+
+// The picture to write: RGBA8, R in the low byte, the top row first.
+struct Target {
+  uint32_t *pixels = nullptr;
+  int width = 0, height = 0;
+};
+
+// Rays of one frame, by kind.
+struct RayCounts {
+  uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0, straight = 0;
+
+  uint64_t all() const { return primary + shadow + reflected + refracted + straight; }
+  RayCounts &operator+=(const RayCounts &other) {
+    primary += other.primary;
+    shadow += other.shadow;
+    reflected += other.reflected;
+    refracted += other.refracted;
+    straight += other.straight;
+    return *this;
+  }
+};
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;  // unit length where distances matter
+};
+
+inline constexpr uint32_t kNoPrimitive = 0xffffffff;
+
+// Where a ray meets a triangle; 16 bytes.
+struct Hit {
+  float t = kInfinity;                // distance in lengths of the direction
+  float u = 0, v = 0;                 // weights of the second and third vertex
+  uint32_t primitive = kNoPrimitive;  // through both sets: static ones first
+
+  bool found() const { return primitive != kNoPrimitive; }
+};
+static_assert(sizeof(Hit) == 16);
+
+class Device {
+ public:
+  virtual ~Device() = default;
+
+  virtual std::string_view name() const = 0;
+  // Traces the whole frame into the target. Pixels outside the viewport get the clear colour.
+  virtual RayCounts trace(const SceneView &scene, const Target &target) = 0;
+  // The nearest hit of each ray at a distance above 0; ties go to the lower primitive number.
+  virtual void intersect(const SceneView &scene, std::span<const Ray> rays, std::span<Hit> hits) = 0;
+};
+
+// "cpu", "ref" or "null"; null pointer for other names. threads: 0 = as many as the machine has.
+std::unique_ptr<Device> createDevice(std::string_view name, int threads);
+
+}  // namespace rc::hal

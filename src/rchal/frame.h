@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// frame.h: the loop over generations that takes one tile of the screen through the units. [G 1.2]
+//   ray generation -> traversal & intersection -> hit point and shading -> shadow rays -> next generation
+// In: SceneView, a tile.  Out: pixels of the Target.
+//
+// There is no recursion: secondary rays wait in one queue for each number of bounces. The deepest queue is
+// served first, a batch at a time, which bounds what is waiting: at most two batches for each bounce.
+// Colours are summed in an order that depends on the tile alone, so the threads do not change the picture.
+#pragma once
+
+#include <vector>
+
+#include "rchal/framebuffer.h"
+#include "rchal/units/ray_generation.h"
+#include "rchal/units/shading.h"
+#include "rchal/units/shadow.h"
+
+namespace rc::hal {
+
+// A rectangle of the viewport, in pixels; rows are counted from the bottom.
+struct Tile {
+  int column, row, columns, rows;
+
+  int pixels() const { return columns * rows; }
+};
+
+// How a device answers questions to the traversal unit. This one asks the scalar unit, ray by ray.
+struct ScalarTraversal {
+  static void closestHits(const SceneView &scene, const RayQueue &rays, size_t first, HitQueue &hits) {
+    hits.clear();
+    for (size_t i = first; i < rays.size(); ++i) hits.push_back(closestHit(scene, rays.ray(i)));
+  }
+  static void addVisible(const SceneView &scene, const ShadowQueue &shadows, std::span<Rgb> sum) {
+    for (size_t i = 0; i < shadows.size(); ++i) {
+      const ShadowItem item = shadows[i];
+      sum[item.pixel] += item.colour * visibility(scene, item.ray, item.distance);
+    }
+  }
+};
+
+// What one worker needs to trace tiles; reused from tile to tile.
+template <class Traversal = ScalarTraversal>
+class TileTracer {
+ public:
+  explicit TileTracer(size_t batch) : mBatch(batch) {}
+
+  void trace(const SceneView &scene, const Tile &tile, const Target &target) {
+    if (mQueues.size() < size_t(scene.maxBounces) + 2) mQueues.resize(size_t(scene.maxBounces) + 2);
+    mPicture.assign(size_t(tile.pixels()), Rgb(0));
+    for (int sample = 0; sample < scene.samples; ++sample) {
+      mSum.assign(size_t(tile.pixels()), Rgb(0));
+      generatePrimaryRays(scene, tile, samplePosition(sample, scene.samples));
+      traceGenerations(scene);
+      for (size_t i = 0; i < mSum.size(); ++i) mPicture[i] += glm::clamp(mSum[i], 0.0f, 1.0f);
+    }
+    const float share = 1.0f / static_cast<float>(scene.samples);
+    for (int i = 0; i < tile.pixels(); ++i) {
+      const int x = tile.column + i % tile.columns, y = target.height - 1 - (tile.row + i / tile.columns);
+      target.pixels[size_t(y) * size_t(target.width) + size_t(x)] = packColour(mPicture[size_t(i)] * share);
+    }
+  }
+
+  const RayCounts &counts() const { return mCounts; }
+
+ private:
+  void generatePrimaryRays(const SceneView &scene, const Tile &tile, Vec2 offset) {
+    for (int i = 0; i < tile.pixels(); ++i) {
+      RayItem item = primaryRay(scene.camera, tile.column + i % tile.columns, tile.row + i / tile.columns, offset);
+      item.pixel = static_cast<uint32_t>(i);
+      mQueues[0].push(item);
+    }
+    mCounts.primary += size_t(tile.pixels());
+  }
+
+  void traceGenerations(const SceneView &scene) {
+    for (;;) {
+      size_t deepest = mQueues.size();
+      while (deepest > 0 && mQueues[deepest - 1].size() == 0) --deepest;
+      if (deepest == 0) return;
+      traceBatch(scene, mQueues[deepest - 1], mQueues[deepest]);
+    }
+  }
+
+  // Takes the last rays off the queue.
+  void traceBatch(const SceneView &scene, RayQueue &queue, RayQueue &next) {
+    const size_t first = queue.size() - std::min(queue.size(), mBatch);
+    Traversal::closestHits(scene, queue, first, mHits);
+    mItems.clear();
+    for (size_t i = first; i < queue.size(); ++i) mItems.push_back(queue[i]);
+    queue.truncate(first);
+
+    const Outputs out{mSum, mShadows, queue, next, mCounts};
+    for (size_t i = 0; i < mItems.size(); ++i) {
+      if (mHits[i].found()) {
+        Shader(scene, mItems[i], mHits[i], out).shade();
+      } else {
+        mSum[mItems[i].pixel] += mItems[i].weight * scene.clearColor;
+      }
+    }
+    Traversal::addVisible(scene, mShadows, mSum);
+    mShadows.clear();
+  }
+
+  size_t mBatch;
+  std::vector<RayQueue> mQueues;  // by number of bounces
+  std::vector<RayItem> mItems;
+  HitQueue mHits;
+  ShadowQueue mShadows;
+  std::vector<Rgb> mSum, mPicture;  // by pixel of the tile
+  RayCounts mCounts;
+};
+
+}  // namespace rc::hal

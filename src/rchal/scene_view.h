@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// scene_view.h: all a device needs to trace one frame, read-only. Everything is in world space.
+// rcddk/driver.cpp fills it; it is valid while the device traces.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "base/vec.h"
+#include "rchal/node_formats.h"
+
+namespace rc::hal {
+
+// What a draw call fixed for its triangles.
+enum TriangleFlag : uint32_t {
+  kHasNormals = 1,           // interpolate TriangleAttributes::normal; else the flat normal
+  kTextureOnly = 2,          // RC_USE_TEXTURE_ONLY
+  kTransmittanceShadow = 4,  // RC_USE_TRANSMITTANCE_SHADOW
+  kAlphaShadow = 8,          // RC_USE_TEXTURE_ALPHA_SHADOW
+};
+inline constexpr uint32_t kFiltersShadow = kTransmittanceShadow | kAlphaShadow;
+
+// Hot: what traversal and intersection read.
+struct HotTriangle {
+  Vec3 v0, v1, v2;     // 36
+  uint32_t material;   //  4  below kNamedMaterials: a name; else kNamedMaterials + index into captured
+  uint32_t flags;      //  4  TriangleFlag
+  uint32_t reserved;   //  4  keeps triangles 16-byte aligned
+};
+static_assert(sizeof(HotTriangle) == 48);
+
+// Cold: what only the nearest hit needs.
+struct TriangleAttributes {
+  Vec3 normal[3];  // 36  unit length, valid with kHasNormals
+  Vec2 uv[3];      // 24
+};
+static_assert(sizeof(TriangleAttributes) == 60);
+
+inline constexpr uint32_t kNamedMaterials = 512;
+inline constexpr int32_t kNoTexture = -1;
+
+enum class Wrap : uint8_t { Repeat, ClampToEdge, MirroredRepeat };
+
+struct MaterialRow {
+  Rgb ambient{0.2f}, diffuse{0.8f};
+  Rgb specular{0};  // level included
+  Rgb emission{0};
+  Rgb reflection{0}, transmittance{0};  // sum at most 1 in each channel
+  Rgb shadowTint{0};                    // what a shadow ray keeps; transmittance after the tint law
+  float shininess = 0;
+  float refractionIndex = 1;
+  int32_t texture = kNoTexture;  // into SceneView::textures
+  Wrap wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
+};
+
+inline constexpr int kMaxTextureLevels = 15;  // 16384 ... 1
+
+struct TextureView {
+  std::array<const uint32_t *, kMaxTextureLevels> levels{};  // RGBA8, R in the low byte, rows from v = 0
+  int width = 0, height = 0;                                 // of level 0
+  int levelCount = 0;
+  bool trilinear = false;
+  float opaqueAlpha = 16;  // the alpha, 0 ... 255, from which on a texel is opaque
+};
+
+struct LightRow {
+  Vec3 position{0, 0, 1};  // or, directional, the unit direction towards the light
+  bool directional = true;
+  bool castsShadow = true;
+  bool spot = false;
+  Rgb ambient{1}, diffuse{0.1f}, specular{0};
+  Vec3 spotDirection{0, 0, -1};          // unit
+  float cosInner = 1, cosOuter = -1;     // of the half angles
+  float spotExponent = 0;
+  float constant = 1, linear = 0, quadratic = 0;
+  float rangeStart = 0, rangeEnd = 0;    // world units; off while end <= start
+};
+
+// Primary rays leave `eye` through the window, which lies at distance `near` against `back`.
+struct CameraView {
+  Vec3 eye{0}, right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
+  float left = -1, bottom = -1, width = 2, height = 2, near = 1;
+  int columns = 0, rows = 0;  // of the viewport: pixels the window is divided into
+};
+
+// One set of triangles with its structure: the static scene, or the frame's dynamic geometry.
+struct GeometryView {
+  std::span<const HotTriangle> triangles;
+  std::span<const TriangleAttributes> attributes;  // one for each triangle
+  std::span<const MaterialRow> captured;           // rows of draws without a material object
+  AccelView accel;
+  bool filtersShadow = false;  // some triangle has a flag of kFiltersShadow
+};
+
+struct SceneView {
+  // Primitive numbers run through both sets: 0 ... n-1 static, then dynamic.
+  std::array<GeometryView, 2> geometry;
+  std::span<const MaterialRow> materials;  // by name
+  std::span<const TextureView> textures;
+  std::span<const LightRow> lights;
+  CameraView camera;
+  Rgb clearColor{0};
+  int maxBounces = 10;
+  int samples = 1;           // a pixel
+  float minWeight = 0;       // secondary rays whose weight is below are dropped
+  bool shadows = true;
+  bool mipmaps = true;
+
+  bool filtersShadow() const { return geometry[0].filtersShadow || geometry[1].filtersShadow; }
+};
+
+inline const MaterialRow &materialOf(const SceneView &scene, const GeometryView &geometry, const HotTriangle &triangle) {
+  return triangle.material < kNamedMaterials ? scene.materials[triangle.material]
+                                             : geometry.captured[triangle.material - kNamedMaterials];
+}
+
+}  // namespace rc::hal

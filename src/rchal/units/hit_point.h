@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// hit_point.h: from a hit to the point on the surface: the hit-point calculation unit. [G 1.2]
+// In: GeometryView, Hit, Ray.  Out: SurfacePoint.  Next: units/shading.h
+#pragma once
+
+#include "rchal/queues.h"
+
+namespace rc::hal {
+
+struct SurfacePoint {
+  Vec3 position;
+  Vec3 flatNormal;   // unit, on the side the ray came from
+  Vec3 normal;       // unit, interpolated where there are normals, turned with flatNormal
+  Vec2 uv{0};
+  float safeOffset;  // distance from the surface at which a new ray cannot hit it again
+  bool front;        // the ray met the counter-clockwise side
+
+  // Where a ray in the given direction may start.
+  Vec3 start(const Vec3 &direction) const {
+    return position + flatNormal * (glm::dot(direction, flatNormal) < 0 ? -safeOffset : safeOffset);
+  }
+};
+
+inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, const Hit &hit, const Vec3 &direction) {
+  const HotTriangle &triangle = geometry.triangles[index];
+  const TriangleAttributes &attributes = geometry.attributes[index];
+  const float w0 = 1 - hit.u - hit.v, w1 = hit.u, w2 = hit.v;
+  SurfacePoint point;
+  // Interpolated from the vertices: closer to the triangle than origin + t * direction can be.
+  const Vec3 p0 = w0 * triangle.v0, p1 = w1 * triangle.v1, p2 = w2 * triangle.v2;
+  point.position = p0 + p1 + p2;
+  const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
+  const Vec3 geometric = normalizedOr(edges, -direction);
+  point.front = glm::dot(geometric, direction) < 0;
+  point.flatNormal = point.front ? geometric : -geometric;
+  // Rounding error of the position along the normal (Pharr et al., "Physically Based Rendering", 6.8.4),
+  // eight times over for that of the intersection which follows.
+  constexpr float kError = 8 * 7 * 0x1p-24f;
+  point.safeOffset = kError * glm::dot(glm::abs(geometric), glm::abs(p0) + glm::abs(p1) + glm::abs(p2));
+
+  point.normal = point.flatNormal;
+  if (triangle.flags & kHasNormals) {
+    const Vec3 sum = w0 * attributes.normal[0] + w1 * attributes.normal[1] + w2 * attributes.normal[2];
+    const Vec3 smooth = normalizedOr(sum, point.flatNormal);
+    point.normal = glm::dot(smooth, point.flatNormal) < 0 ? -smooth : smooth;
+  }
+  point.uv = w0 * attributes.uv[0] + w1 * attributes.uv[1] + w2 * attributes.uv[2];
+  return point;
+}
+
+// Level of detail of a texture where a ray cone meets a triangle.
+// Akenine-Moeller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing", Ray Tracing Gems 20.
+inline float levelOfDetail(const HotTriangle &triangle, const TriangleAttributes &attributes,
+                           const TextureView &texture, float coneWidth, float cosine) {
+  const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
+  const Vec2 du = attributes.uv[1] - attributes.uv[0], dv = attributes.uv[2] - attributes.uv[0];
+  const float texelArea =
+      std::abs(du.x * dv.y - dv.x * du.y) * static_cast<float>(texture.width) * static_cast<float>(texture.height);
+  const float worldArea = glm::length(edges);
+  return 0.5f * std::log2(texelArea / worldArea) + std::log2(coneWidth / std::max(cosine, 1e-3f));
+}
+
+}  // namespace rc::hal

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// ray_generation.h: from a pixel to its primary ray. [spec 3.1; G 2]
+// In: CameraView, column, row, sample.  Out: RayItem.  Next: units/traversal.h
+//
+// The sample of a pixel is its lower left corner; several samples fill the pixel's square.
+#pragma once
+
+#include "rchal/queues.h"
+
+namespace rc::hal {
+
+// Place of a sample in its pixel, 0 <= x, y < 1. One sample lies at the corner. Several form a rank-1 lattice
+// along the golden ratio: even in both axes and the same in each frame.
+inline Vec2 samplePosition(int sample, int samples) {
+  if (samples == 1) return {0, 0};
+  const float golden = 0.61803399f * static_cast<float>(sample);
+  return {(static_cast<float>(sample) + 0.5f) / static_cast<float>(samples), golden - std::floor(golden)};
+}
+
+// column from the left, row from the bottom of the viewport.
+inline RayItem primaryRay(const CameraView &camera, int column, int row, Vec2 offset) {
+  const float x =
+      camera.left + camera.width * (static_cast<float>(column) + offset.x) / static_cast<float>(camera.columns);
+  const float y = camera.bottom + camera.height * (static_cast<float>(row) + offset.y) / static_cast<float>(camera.rows);
+  RayItem item;
+  item.ray.origin = camera.eye;
+  item.ray.direction = normalizedOr(camera.right * x + camera.up * y - camera.back * camera.near, -camera.back);
+  item.coneSpread = std::abs(camera.height) / static_cast<float>(camera.rows) / camera.near;
+  return item;
+}
+
+}  // namespace rc::hal

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// shading.h: the shading unit: colour of one hit, and the rays it asks for. [spec 3.4, 3.5, 4; G 6, 7]
+// In: SceneView, RayItem, Hit.  Out: colours into Outputs::sum, shadow and secondary rays into its queues.
+// Next: rchal/frame.h sends the shadow rays to the traversal unit and the others round again.
+#pragma once
+
+#include "rchal/units/lighting.h"
+#include "rchal/units/texture.h"
+
+namespace rc::hal {
+
+// More transparent texels than this in a row count as opaque.
+inline constexpr uint8_t kMaxLayers = 255;
+
+struct Outputs {
+  std::span<Rgb> sum;  // by pixel of the tile
+  ShadowQueue &shadows;
+  RayQueue &sameBounce;  // rays that go straight on
+  RayQueue &nextBounce;  // reflected and refracted rays
+  RayCounts &counts;
+};
+
+class Shader {
+ public:
+  Shader(const SceneView &scene, const RayItem &item, const Hit &hit, const Outputs &out)
+      : mScene(scene), mItem(item), mOut(out), mView(-item.ray.direction), mConeWidth(item.coneWidth + item.coneSpread * hit.t) {
+    const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
+    const bool dynamic = hit.primitive >= firstDynamic;
+    const GeometryView &geometry = scene.geometry[dynamic];
+    const uint32_t index = hit.primitive - (dynamic ? firstDynamic : 0);
+    mTriangle = &geometry.triangles[index];
+    mMaterial = &materialOf(scene, geometry, *mTriangle);
+    mPoint = surfacePoint(geometry, index, hit, item.ray.direction);
+    if (mMaterial->texture != kNoTexture) readTexel(geometry.attributes[index]);
+  }
+
+  void shade() {
+    const bool wholeSurface = mOpacity >= 1 || mItem.layers == kMaxLayers;
+    if (!wholeSurface) goStraightOn();
+    const Rgb weight = wholeSurface ? mItem.weight : mItem.weight * mOpacity;
+    if (mTextured && mTriangle->flags & kTextureOnly) {
+      add(weight * mTexel);
+      return;
+    }
+    // At the last generation a surface shows its own colour only.
+    const bool last = mItem.bounces >= mScene.maxBounces;
+    shadeLocal(last ? weight : weight * (Rgb(1) - mMaterial->reflection - mMaterial->transmittance));
+    if (last) return;
+    reflect(weight * mMaterial->reflection);
+    refract(weight * mMaterial->transmittance);
+  }
+
+ private:
+  void add(const Rgb &colour) { mOut.sum[mItem.pixel] += colour; }
+
+  void readTexel(const TriangleAttributes &attributes) {
+    const TextureView &texture = mScene.textures[size_t(mMaterial->texture)];
+    float lod = 0;
+    if (mScene.mipmaps && texture.levelCount > 1) {
+      const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
+      lod = levelOfDetail(*mTriangle, attributes, texture, mConeWidth, cosine);
+    }
+    const Vec4 texel = sampleTexture(texture, mPoint.uv, mMaterial->wrapS, mMaterial->wrapT, lod);
+    mTexel = Rgb(texel);
+    mOpacity = opacityOf(texture, texel.w);
+    mTextured = true;
+  }
+
+  void shadeLocal(const Rgb &weight) {
+    if (maxComponent(weight) <= 0) return;
+    const SurfaceColours colours{mTextured ? mTexel : mMaterial->ambient, mTextured ? mTexel : mMaterial->diffuse,
+                                 mMaterial->specular, mMaterial->shininess};
+    add(weight * mMaterial->emission);
+    for (const LightRow &light : mScene.lights) {
+      const LightTerm term = lightAt(light, mPoint, mView, colours);
+      add(weight * term.ambient);
+      const Rgb direct = weight * term.direct;
+      if (maxComponent(direct) <= 0) continue;
+      if (!mScene.shadows || !light.castsShadow) {
+        add(direct);
+        continue;
+      }
+      mOut.shadows.push({{mPoint.start(term.direction), term.direction}, term.distance, direct, mItem.pixel});
+      ++mOut.counts.shadow;
+    }
+  }
+
+  void goStraightOn() {
+    RayItem next = mItem;
+    next.ray.origin = mPoint.start(mItem.ray.direction);
+    next.weight = mItem.weight * (1 - mOpacity);
+    next.coneWidth = mConeWidth;
+    ++next.layers;
+    mOut.sameBounce.push(next);
+    ++mOut.counts.straight;
+  }
+
+  void reflect(const Rgb &weight) {
+    const Vec3 d = mItem.ray.direction;
+    Vec3 mirrored = d - 2 * glm::dot(d, mPoint.normal) * mPoint.normal;
+    // An interpolated normal can send the ray into the surface: it is then led along it.
+    const float height = glm::dot(mirrored, mPoint.flatNormal);
+    if (height <= 0) mirrored += (1e-3f - height) * mPoint.flatNormal;
+    if (bounce(weight, mirrored)) ++mOut.counts.reflected;
+  }
+
+  // Snell's law, index n against 1 outside; the front side leads in, the back side out. [spec 4]
+  void refract(const Rgb &weight) {
+    const float eta = mPoint.front ? 1 / mMaterial->refractionIndex : mMaterial->refractionIndex;
+    const float cosine = -glm::dot(mItem.ray.direction, mPoint.normal);
+    const float k = 1 - eta * eta * (1 - cosine * cosine);
+    if (k < 0) {
+      reflect(weight);  // total internal reflection
+      return;
+    }
+    Vec3 bent = eta * mItem.ray.direction + (eta * cosine - std::sqrt(k)) * mPoint.normal;
+    const float depth = glm::dot(bent, mPoint.flatNormal);
+    if (depth >= 0) bent -= (depth + 1e-3f) * mPoint.flatNormal;
+    if (bounce(weight, bent)) ++mOut.counts.refracted;
+  }
+
+  bool bounce(const Rgb &weight, const Vec3 &direction) {
+    const float strongest = maxComponent(weight);
+    if (strongest <= 0 || strongest < mScene.minWeight) return false;
+    RayItem next = mItem;
+    next.ray.direction = normalizedOr(direction, mPoint.flatNormal);
+    next.ray.origin = mPoint.start(next.ray.direction);
+    next.weight = weight;
+    next.coneWidth = mConeWidth;
+    ++next.bounces;
+    mOut.nextBounce.push(next);
+    return true;
+  }
+
+  const SceneView &mScene;
+  const RayItem &mItem;
+  const Outputs &mOut;
+  Vec3 mView;
+  float mConeWidth;
+  const HotTriangle *mTriangle;
+  const MaterialRow *mMaterial;
+  SurfacePoint mPoint;
+  Rgb mTexel{0};
+  float mOpacity = 1;
+  bool mTextured = false;
+};
+
+}  // namespace rc::hal

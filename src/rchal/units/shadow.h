@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// shadow.h: how much of a light gets through to a point. [spec 4; reference 4.2, 4.3]
+// In: SceneView, ShadowItem's ray and distance.  Out: share per channel.  Next: rchal/frame.h adds the colour.
+#pragma once
+
+#include "rchal/units/hit_point.h"
+#include "rchal/units/texture.h"
+#include "rchal/units/traversal.h"
+
+namespace rc::hal {
+
+// What one triangle lets through where the shadow ray crosses it.
+inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, uint32_t index, const Hit &hit,
+                        const Vec3 &direction) {
+  const HotTriangle &triangle = geometry.triangles[index];
+  const MaterialRow &material = materialOf(scene, geometry, triangle);
+  Rgb share{0};
+  if (triangle.flags & kTransmittanceShadow) share = material.shadowTint;
+  if (triangle.flags & kAlphaShadow && material.texture != kNoTexture) {
+    const TextureView &texture = scene.textures[size_t(material.texture)];
+    const SurfacePoint point = surfacePoint(geometry, index, hit, direction);
+    const float alpha = sampleTexture(texture, point.uv, material.wrapS, material.wrapT, 0).w;
+    share = glm::mix(Rgb(1), share, opacityOf(texture, alpha));
+  }
+  return share;
+}
+
+inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
+  // A light that lies on a surface is not hidden by it.
+  const float end = distance * (1 - 1e-5f);
+  if (blockedByOpaque(scene, ray, end)) return Rgb(0);
+  Rgb share{1};
+  if (!scene.filtersShadow()) return share;
+  HitOrder last;
+  for (;;) {
+    const Hit hit = nextHit(scene, ray, last, end);
+    if (!hit.found()) return share;
+    const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
+    const bool dynamic = hit.primitive >= firstDynamic;
+    share *= shadowFilter(scene, scene.geometry[dynamic], hit.primitive - (dynamic ? firstDynamic : 0), hit,
+                          ray.direction);
+    if (maxComponent(share) <= 0) return Rgb(0);
+    last = {hit.t, hit.primitive};
+  }
+}
+
+}  // namespace rc::hal

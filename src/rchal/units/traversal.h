@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// traversal.h: one ray through a KD-tree or a BVH; the T&I unit of the guide. [G 1.2, 1.2a]
+// In: SceneView, Ray.  Out: Hit, or what gets through to a light.  Next: units/hit_point.h
+//
+// Hits are ordered by (t, primitive number), so every structure gives the same hit, ties included. Distances
+// to planes and to triangles are rounded differently; kSlack keeps the trees from dropping a box too early.
+#pragma once
+
+#include <optional>
+
+#include "rchal/units/intersection.h"
+
+namespace rc::hal {
+
+inline constexpr float kSlack = 1e-5f;
+
+// The part of a ray that the trees need.
+struct TraversalRay {
+  Vec3 origin, inverse;  // inverse: 1 / direction, finite also where a component is 0
+
+  explicit TraversalRay(const Ray &ray) : origin(ray.origin) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = ray.direction[axis];
+      inverse[axis] = 1.0f / (std::abs(d) < 1e-20f ? std::copysign(1e-20f, d) : d);
+    }
+  }
+};
+
+// The interval of the ray inside the box, within [0, tMax]; nothing if it misses.
+struct Interval {
+  float enter, leave;
+};
+inline std::optional<Interval> clip(const TraversalRay &ray, const Vec3 &lower, const Vec3 &upper, float tMax) {
+  const Vec3 t0 = (lower - ray.origin) * ray.inverse;
+  const Vec3 t1 = (upper - ray.origin) * ray.inverse;
+  const float enter = std::max(0.0f, maxComponent(glm::min(t0, t1))) * (1 - kSlack);
+  const float leave = std::min(tMax, minComponent(glm::max(t0, t1))) * (1 + kSlack);
+  if (!(enter <= leave)) return std::nullopt;
+  return Interval{enter, leave};
+}
+
+// Each walk calls leaf(indices) for leaves from near to far until it returns true, or until all boxes
+// that begin before tMax are done. tMax is a reference: it may shrink while the walk goes on.
+
+template <class Leaf>
+void walkBvh(const AccelView &accel, const TraversalRay &ray, const float &tMax, Leaf &&leaf) {
+  struct Entry {
+    uint32_t node;
+    float enter;
+  };
+  Entry stack[kMaxTreeDepth];
+  int depth = 0;
+  if (accel.bvhNodes.empty()) return;
+  const auto root = clip(ray, accel.bvhNodes[0].lower, accel.bvhNodes[0].upper, tMax);
+  if (!root) return;
+  uint32_t current = 0;
+  for (;;) {
+    const BvhNode32 &node = accel.bvhNodes[current];
+    if (node.isLeaf()) {
+      if (leaf(accel.primitives.subspan(node.index, node.count))) return;
+    } else {
+      const BvhNode32 &left = accel.bvhNodes[current + 1], &right = accel.bvhNodes[node.index];
+      const auto inLeft = clip(ray, left.lower, left.upper, tMax);
+      const auto inRight = clip(ray, right.lower, right.upper, tMax);
+      if (inLeft && inRight) {
+        const bool leftFirst = inLeft->enter <= inRight->enter;
+        stack[depth++] = leftFirst ? Entry{node.index, inRight->enter} : Entry{current + 1, inLeft->enter};
+        current = leftFirst ? current + 1 : node.index;
+        continue;
+      }
+      if (inLeft || inRight) {
+        current = inLeft ? current + 1 : node.index;
+        continue;
+      }
+    }
+    do {
+      if (depth == 0) return;
+      --depth;
+    } while (stack[depth].enter > tMax);
+    current = stack[depth].node;
+  }
+}
+
+template <class Leaf>
+void walkKdTree(const AccelView &accel, const TraversalRay &ray, const float &tMax, Leaf &&leaf) {
+  struct Entry {
+    uint32_t node;
+    float enter, leave;
+  };
+  Entry stack[kMaxTreeDepth];
+  int depth = 0;
+  if (accel.kdNodes.empty()) return;
+  const auto root = clip(ray, accel.bounds.lower, accel.bounds.upper, tMax);
+  if (!root) return;
+  Entry at{0, root->enter, root->leave};
+  for (;;) {
+    const KdNode8 &node = accel.kdNodes[at.node];
+    if (!node.isLeaf()) {
+      const uint32_t axis = node.axis();
+      const float origin = ray.origin[axis];
+      const float t = (node.split - origin) * ray.inverse[axis];
+      const bool leftFirst = origin < node.split || (origin == node.split && ray.inverse[axis] <= 0);
+      const uint32_t near = leftFirst ? at.node + 1 : node.right();
+      const uint32_t far = leftFirst ? node.right() : at.node + 1;
+      const float tEarly = t * (1 - kSlack), tLate = t * (1 + kSlack);
+      if (t < 0 || tEarly > at.leave) {
+        at.node = near;
+      } else if (tLate < at.enter) {
+        at.node = far;
+      } else {
+        stack[depth++] = {far, std::max(at.enter, tEarly), at.leave};
+        at = {near, at.enter, std::min(at.leave, tLate)};
+      }
+      continue;
+    }
+    if (leaf(accel.primitives.subspan(node.offset, node.count()))) return;
+    do {
+      if (depth == 0) return;
+      --depth;
+    } while (stack[depth].enter > tMax);
+    at = stack[depth];
+  }
+}
+
+// Without a structure: one leaf that holds everything, a block of indices at a time.
+template <class Leaf>
+void walkAll(size_t count, Leaf &&leaf) {
+  uint32_t block[64];
+  for (size_t first = 0; first < count; first += std::size(block)) {
+    const size_t n = std::min(std::size(block), count - first);
+    for (size_t i = 0; i < n; ++i) block[i] = static_cast<uint32_t>(first + i);
+    if (leaf(std::span<const uint32_t>(block, n))) return;
+  }
+}
+
+template <class Leaf>
+void walk(const GeometryView &geometry, const TraversalRay &ray, const float &tMax, Leaf &&leaf) {
+  switch (geometry.accel.kind) {
+    case AccelKind::KdTree:
+      return walkKdTree(geometry.accel, ray, tMax, leaf);
+    case AccelKind::Bvh:
+      return walkBvh(geometry.accel, ray, tMax, leaf);
+    case AccelKind::Exhaustive:
+      return walkAll(geometry.triangles.size(), leaf);
+  }
+}
+
+// A place in the order of hits along a ray.
+struct HitOrder {
+  float t = 0;
+  uint32_t primitive = kNoPrimitive;  // the default lies before every hit at t > 0
+
+  bool operator<(const HitOrder &other) const { return t < other.t || (t == other.t && primitive < other.primitive); }
+};
+
+// The first hit after `after` and not beyond tMax.
+inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after, float tMax) {
+  const TraversalRay traversal(ray);
+  const ShearedRay sheared(ray);
+  Hit best;
+  best.t = tMax;
+  uint32_t base = 0;
+  for (const GeometryView &geometry : scene.geometry) {
+    walk(geometry, traversal, best.t, [&](std::span<const uint32_t> indices) {
+      for (const uint32_t index : indices) {
+        Hit hit;
+        if (!intersectTriangle(sheared, geometry.triangles[index], hit)) continue;
+        hit.primitive = base + index;
+        const HitOrder order{hit.t, hit.primitive};
+        if (after < order && order < HitOrder{best.t, best.primitive}) best = hit;
+      }
+      return false;
+    });
+    base += static_cast<uint32_t>(geometry.triangles.size());
+  }
+  return best.found() ? best : Hit{};
+}
+
+inline Hit closestHit(const SceneView &scene, const Ray &ray) { return nextHit(scene, ray, HitOrder{}, kInfinity); }
+
+// Whether a triangle that lets no light through lies before tMax.
+inline bool blockedByOpaque(const SceneView &scene, const Ray &ray, float tMax) {
+  const TraversalRay traversal(ray);
+  const ShearedRay sheared(ray);
+  bool blocked = false;
+  for (const GeometryView &geometry : scene.geometry) {
+    walk(geometry, traversal, tMax, [&](std::span<const uint32_t> indices) {
+      for (const uint32_t index : indices) {
+        const HotTriangle &triangle = geometry.triangles[index];
+        Hit hit;
+        if (triangle.flags & kFiltersShadow || !intersectTriangle(sheared, triangle, hit)) continue;
+        if (hit.t > 0 && hit.t < tMax) return blocked = true;
+      }
+      return false;
+    });
+    if (blocked) return true;
+  }
+  return false;
+}
+
+}  // namespace rc::hal
