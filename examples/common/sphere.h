@@ -19,8 +19,8 @@ struct Sphere {
       for (int j = 0; j < around; ++j) {
         const double u0 = double(j) / around, u1 = double(j + 1) / around;
         const double v0 = double(i) / upwards, v1 = double(i + 1) / upwards;
-        add(u0, v0), add(u1, v0), add(u1, v1);
-        add(u0, v0), add(u1, v1), add(u0, v1);
+        if (i > 0) add(u0, v0), add(u1, v0), add(u1, v1);  // at a pole one of the two has no area
+        if (i + 1 < upwards) add(u0, v0), add(u1, v1), add(u0, v1);
       }
     }
   }
