@@ -7,7 +7,7 @@
 
 class Tutorial : public RCFramework {
  public:
-  Tutorial() : RCFramework("Chapter 6.5 a: Phong shading", 800, 480), m_Sphere(128, 64) {}
+  Tutorial() : RCFramework("Chapter 6.5 a: Phong shading", 800, 480), m_Sphere(32, 32) {}
 
  protected:
   BOOL OnIntialize() override {

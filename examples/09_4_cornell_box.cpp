@@ -19,8 +19,8 @@ class Tutorial : public RCFramework {
 
     rcStaticSceneBegin();
     rcEnableClientState(RC_VERTEX_ARRAY);
-    drawWall(kLeftWall, {0.7f, 0.1f, 0.1f});
-    drawWall(kRightWall, {0.1f, 0.3f, 0.1f});
+    drawWall(kLeftWall, {0.67f, 0.023f, 0.028f});
+    drawWall(kRightWall, {0.026f, 0.234f, 0.026f});
     drawWall(kFloor, kWhite);
     drawWall(kCeiling, kWhite);
     drawWall(kBackWall, kWhite);

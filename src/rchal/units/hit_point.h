@@ -35,10 +35,11 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
   const Vec3 geometric = normalizedOr(edges, -direction);
   point.front = glm::dot(geometric, direction) < 0;
   point.flatNormal = point.front ? geometric : -geometric;
-  // Rounding error of the position along the normal (Pharr et al., "Physically Based Rendering", 6.8.4),
-  // eight times over for that of the intersection which follows.
-  constexpr float kError = 8 * 7 * 0x1p-24f;
-  point.safeOffset = kError * glm::dot(glm::abs(geometric), glm::abs(p0) + glm::abs(p1) + glm::abs(p2));
+  // Rounding error of the interpolation above (Pharr et al., "Physically Based Rendering", 6.8.4), four times
+  // over for that of the intersection which follows. By the largest coordinate, since that one is rounded by the
+  // next ray's own axes: a wall in a coordinate plane needs its distance too.
+  constexpr float kError = 4 * 7 * 0x1p-24f;
+  point.safeOffset = kError * maxComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2));
 
   point.normal = point.flatNormal;
   if (triangle.flags & kHasNormals) {

@@ -101,7 +101,8 @@ void walkKdTree(const AccelView &accel, const TraversalRay &ray, const float &tM
       const uint32_t axis = node.axis();
       const float origin = ray.origin[axis];
       const float t = (node.split - origin) * ray.inverse[axis];
-      const bool leftFirst = origin < node.split || (origin == node.split && ray.inverse[axis] <= 0);
+      // A ray that starts on the plane crosses it at t = 0, from the side it does not go to.
+      const bool leftFirst = origin < node.split || (origin == node.split && ray.inverse[axis] >= 0);
       const uint32_t near = leftFirst ? at.node + 1 : node.right();
       const uint32_t far = leftFirst ? node.right() : at.node + 1;
       const float tEarly = t * (1 - kSlack), tLate = t * (1 + kSlack);
