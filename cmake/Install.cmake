@@ -15,5 +15,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/RayCoreConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/RayCoreConfig.cmake ${PROJECT_BINARY_DIR}/RayCoreConfigVersion.cmake
         DESTINATION ${package_dir})
 
+# Found from the file's own place, so that the tree can be moved.
+file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/raycore.pc.in ${PROJECT_BINARY_DIR}/raycore.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/raycore.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

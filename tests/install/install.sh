@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The raycore authors
+#
+# Installs the built project into a scratch prefix and uses it from there as others do: find_package, pkg-config,
+# RCFramework.a as in the guide's makefiles, and a program with a main of its own.
+set -eu
+build=$1 source=$2 cc=$3 cxx=$4
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+prefix=$scratch/prefix
+cmake --install "$build" --prefix "$prefix" >/dev/null
+libdir=$(dirname "$(find "$prefix" -name libRayCoreAPI.so)")
+export LD_LIBRARY_PATH=$libdir
+unset DISPLAY
+
+expect() {  # program: two frames, a picture, exit code 0
+  RAYCORE_FRAMES=2 RAYCORE_CAPTURE="$scratch/picture.ppm" "$@" 2>/dev/null
+  [ "$(head -c 11 "$scratch/picture.ppm" | tr '\n' ' ')" = "P6 800 480 " ]
+  rm "$scratch/picture.ppm"
+}
+
+# find_package(RayCore)
+cmake -S "$source" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$cc" \
+  -DCMAKE_CXX_COMPILER="$cxx" >/dev/null
+cmake --build "$scratch/consumer" >/dev/null
+expect "$scratch/consumer/framework_program"
+expect "$scratch/consumer/own_main"
+expect "$scratch/consumer/c_program"
+
+# pkg-config
+export PKG_CONFIG_PATH=$libdir/pkgconfig
+read -r -a flags <<<"$(pkg-config --cflags --libs raycore)"
+"$cc" -std=c99 "$source/c_program.c" "${flags[@]}" -o "$scratch/with_pkg_config"
+expect "$scratch/with_pkg_config"
+
+# as in the guide's makefiles
+"$cxx" -o "$scratch/by_hand" "$source/framework_program.cpp" -I"$prefix/include" "$libdir/RCFramework.a" -L"$libdir" \
+  -lstdc++ -lpthread -lm -lX11 -lRayCoreAPI
+expect "$scratch/by_hand"
+
+# old programs ask for this name, without a version
+readelf -d "$scratch/by_hand" | grep -q 'NEEDED.*\[libRayCoreAPI.so\]'
+echo "installed, found and used in five ways"

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The raycore authors
+#
+# Reads every #include of src/ and examples/ against the picture of the layers in docs/data_path.md.
+set -u
+cd "$1" || exit 2
+failed=0
+
+# layer, then the folders of src/ it may include besides its own
+rules="base:
+rchal:base
+rcddi:base rchal
+rcddk:base rchal
+api:base rchal rcddk
+egl:base rchal rcddk api
+framework:"
+
+while IFS=: read -r layer allowed; do
+  while IFS=: read -r file line include; do
+    other=${include#*\"}
+    other=${other%%\"*}
+    folder=${other%%/*}
+    [ -d "src/$folder" ] && [ "$folder" != "$other" ] || continue  # a public header, or beside the file
+    [ "$folder" = "$layer" ] && continue
+    case " $allowed " in
+      *" $folder "*) ;;
+      *)
+        echo "$file:$line: $layer must not include $other"
+        failed=1
+        ;;
+    esac
+  done < <(grep -rnE '^#include "' "src/$layer" || true)
+done <<<"$rules"
+
+# A device is a sibling of the others, found by name; only the registry knows them.
+while IFS= read -r match; do
+  file=${match%%:*}
+  own=$(basename "$(dirname "$file")")
+  case "$match" in
+    *"\"rcddi/$own/"*) ;;
+    *registry.cpp*) ;;
+    *)
+      echo "$match: a device must not include another"
+      failed=1
+      ;;
+  esac
+done < <(grep -rnE '^#include "rcddi/' src || true)
+
+# Programs see the public headers alone.
+if grep -rnE '^#include "(base|rchal|rcddi|rcddk|api|egl|framework)/' examples; then
+  echo "examples must use the public API alone"
+  failed=1
+fi
+# One file knows oneTBB.
+if grep -rlE '^#include <tbb/' src | grep -v '^src/base/parallel.cpp$'; then
+  echo "only base/parallel.cpp includes oneTBB"
+  failed=1
+fi
+exit $failed

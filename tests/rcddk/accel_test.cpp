@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// Acceleration structures: every one gives the hit that trying all triangles gives, ties included.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "common/hits.h"
+#include "rchal/units/traversal.h"
+
+namespace rc::test {
+namespace {
+
+using namespace rc::hal;
+
+TEST(Accel, NothingHitsNothing) {
+  for (AccelKind kind : {AccelKind::KdTree, AccelKind::Bvh, AccelKind::Exhaustive}) {
+    for (const Hit &hit : hitsWith(kind, {}, randomRays(10, 1))) EXPECT_FALSE(hit.found());
+  }
+}
+
+TEST(Accel, OneTriangleAndManyEqualOnes) {
+  const HotTriangle t = triangle({-2, -2, 0}, {2, -2, 0}, {0, 2, 0});
+  compareAll({t}, 2000);
+  compareAll(Triangles(1000, t), 2000);
+}
+
+TEST(Accel, FlatGridsInTheCoordinatePlanes) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Triangles grid = gridSurface(20, [&](float u, float v) {
+      Vec3 point(0);
+      point[(axis + 1) % 3] = 2 * u - 1, point[(axis + 2) % 3] = 2 * v - 1;
+      return point;
+    });
+    compareAll(grid, 20000);
+  }
+}
+
+TEST(Accel, HugeBesideTiny) {
+  Triangles mixed = knot(8);
+  mixed.push_back(triangle({-1e6f, -1, -1e6f}, {1e6f, -1, -1e6f}, {0, -1, 1e6f}));
+  mixed.push_back(triangle({0, 0, 0}, {1e-5f, 0, 0}, {0, 1e-5f, 0}));
+  compareAll(mixed, 20000);
+}
+
+// Rays that lie in split planes and box faces, along edges and through vertices.
+TEST(Accel, RaysAlongGridLines) {
+  const Triangles grid = gridSurface(16, [](float u, float v) { return Vec3(u, 0.25f * u, v); });
+  std::vector<Ray> rays;
+  for (int i = 0; i <= 16; ++i) {
+    for (int j = 0; j <= 16; ++j) {
+      rays.push_back({{float(i) / 16, 2, float(j) / 16}, {0, -1, 0}});
+      rays.push_back({{float(i) / 16, -2, float(j) / 16}, {0, 1, 0}});
+      rays.push_back({{float(i) / 16, 2, 0}, glm::normalize(Vec3(0, -2, float(j) / 16))});
+    }
+  }
+  const std::vector<Hit> truth = hitsWith(AccelKind::Exhaustive, grid, rays);
+  expectSame(hitsWith(AccelKind::KdTree, grid, rays), truth, "kd-tree");
+  expectSame(hitsWith(AccelKind::Bvh, grid, rays), truth, "BVH");
+}
+
+template <class Node>
+bool sameBytes(const std::vector<Node> &a, const std::vector<Node> &b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Node)) == 0;
+}
+
+TEST(Accel, TheTreeDoesNotDependOnTheThreads) {
+  const Triangles triangles = terrain(100);
+  for (AccelKind kind : {AccelKind::KdTree, AccelKind::Bvh}) {
+    const ddk::Accel one = ddk::buildAccel(kind, triangles, Workers(1));
+    for (int threads : {2, 7}) {
+      const ddk::Accel many = ddk::buildAccel(kind, triangles, Workers(threads));
+      EXPECT_TRUE(sameBytes(one.kdNodes, many.kdNodes));
+      EXPECT_TRUE(sameBytes(one.bvhNodes, many.bvhNodes));
+      EXPECT_EQ(one.primitives, many.primitives);
+    }
+  }
+}
+
+TEST(Accel, KdLeavesHoldEveryTriangleThatReachesIntoThem) {
+  const Triangles triangles = soup(400, 9);
+  const ddk::Accel accel = ddk::buildAccel(AccelKind::KdTree, triangles, Workers(2));
+  std::vector<bool> seen(triangles.size());
+  for (uint32_t primitive : accel.primitives) seen.at(primitive) = true;
+  for (size_t i = 0; i < seen.size(); ++i) EXPECT_TRUE(seen[i]) << i;
+}
+
+TEST(Accel, BvhLeavesHoldEachTriangleOnceInsideTheirBoxes) {
+  const Triangles triangles = soup(3000, 5);
+  const ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(2));
+  std::vector<int> seen(triangles.size());
+  for (const BvhNode32 &node : accel.bvhNodes) {
+    if (!node.isLeaf()) continue;
+    for (uint32_t i = 0; i < node.count; ++i) {
+      const uint32_t primitive = accel.primitives.at(node.index + i);
+      ++seen.at(primitive);
+      for (const Vec3 &v : {triangles[primitive].v0, triangles[primitive].v1, triangles[primitive].v2}) {
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(node.lower, v)) && glm::all(glm::lessThanEqual(v, node.upper)));
+      }
+    }
+  }
+  for (size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << i;
+}
+
+}  // namespace
+}  // namespace rc::test
