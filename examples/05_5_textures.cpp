@@ -40,7 +40,8 @@ class Tutorial : public RCFramework {
       const float row = std::floor(v * 8), x = u * 4 + 0.5f * std::fmod(row, 2.0f);
       const bool mortar = x - std::floor(x) < 0.06f || v * 8 - row < 0.12f;
       const float tone = 0.7f + 0.3f * gridNoise(int(std::floor(x)) % 4, int(row));
-      out[0] = mortar ? 0.8f : 0.65f * tone, out[1] = mortar ? 0.78f : 0.3f * tone, out[2] = mortar ? 0.7f : 0.2f * tone;
+      out[0] = mortar ? 0.8f : 0.65f * tone, out[1] = mortar ? 0.78f : 0.3f * tone,
+      out[2] = mortar ? 0.7f : 0.2f * tone;
     });
     rcBindTexture(RC_TEXTURE_2D, m_Textures[0]);
     rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, 128, 128, 0, RC_RGB, RC_UNSIGNED_BYTE, bricks.rgb.data());

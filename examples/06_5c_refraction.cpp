@@ -45,8 +45,7 @@ class Tutorial : public RCFramework {
     rcGenTextures(1, &m_Texture);
     rcBindTexture(RC_TEXTURE_2D, m_Texture);
     rcTextureAlpha(128);
-    rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, clouds.width, clouds.height, 0, RC_RGB, RC_UNSIGNED_BYTE,
-                 clouds.rgb.data());
+    rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, clouds.width, clouds.height, 0, RC_RGB, RC_UNSIGNED_BYTE, clouds.rgb.data());
   }
 
   void makeMaterials() {

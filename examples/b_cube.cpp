@@ -80,10 +80,10 @@ class Tutorial : public RCFramework {
     static const float corners[] = {-1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1, -1, -1, -1, -1, 1, -1, 1, 1, -1, 1, -1, -1};
     static const float cornerTexCoords[] = {0, 0, 1, 0, 1, 1, 0, 1, 1, 0, 1, 1, 0, 1, 0, 0};
     static const RCubyte quads[] = {0, 1, 2, 3, 4, 5, 6, 7};
-    static const float vertices[] = {-1, 1,  -1, -1, 1, 1, 1, 1,  1, 1,  1,  -1,   // top
-                                     -1, -1, -1, 1, -1, -1, 1, -1, 1, -1, -1, 1,   // bottom
-                                     1,  -1, -1, 1, 1, -1, 1, 1,  1, 1,  -1, 1,    // right
-                                     -1, -1, -1, -1, -1, 1, -1, 1, 1, -1, 1, -1};  // left
+    static const float vertices[] = {-1, 1,  -1, -1, 1,  1,  1,  1,  1, 1,  1,  -1,   // top
+                                     -1, -1, -1, 1,  -1, -1, 1,  -1, 1, -1, -1, 1,    // bottom
+                                     1,  -1, -1, 1,  1,  -1, 1,  1,  1, 1,  -1, 1,    // right
+                                     -1, -1, -1, -1, -1, 1,  -1, 1,  1, -1, 1,  -1};  // left
     static const float texCoords[] = {0, 1, 0, 0, 1, 0, 1, 1, 1, 1, 0, 1, 0, 0, 1, 0,
                                       1, 0, 1, 1, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1, 0, 1};
     rcEnableClientState(RC_VERTEX_ARRAY);

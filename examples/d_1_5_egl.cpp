@@ -22,8 +22,9 @@ static bool done(const char *call) {
 }
 
 static bool openWindow() {
-  const EGLint wanted[] = {EGL_RED_SIZE,   8,  EGL_GREEN_SIZE,      8,                 EGL_BLUE_SIZE, 8,
-                           EGL_DEPTH_SIZE, 16, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT, EGL_NONE};
+  const EGLint wanted[] = {
+      EGL_RED_SIZE,      8,       EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 16, EGL_RENDERABLE_TYPE,
+      EGL_OPENGL_ES_BIT, EGL_NONE};
   const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 1, EGL_NONE};
   EGLConfig config;
   EGLint count = 0;

@@ -145,15 +145,15 @@ class RCFramework : protected WindowPlatform {
   EGLContext m_eglContext = EGL_NO_CONTEXT;
   EGLSurface m_eglSurface = EGL_NO_SURFACE;
   const char *m_sTitle;
-  int m_iRendering = 1;  /* of RC_DONT_CARE, FASTEST, NICEST, FASTEST_AND_NICEST */
-  int m_iThreshold = 0;  /* level; -1: none */
+  int m_iRendering = 1; /* of RC_DONT_CARE, FASTEST, NICEST, FASTEST_AND_NICEST */
+  int m_iThreshold = 0; /* level; -1: none */
   int m_iBounces = 10;
-  int m_iSkip = 0;       /* exponent of SkipFrame */
+  int m_iSkip = 0; /* exponent of SkipFrame */
   bool m_bMipmap = true;
   bool m_bInitialized = false;
   bool m_bFailed = false;
-  int m_iFrames = 0;     /* since the title was last changed */
-  double m_dSince = 0;   /* when, in seconds */
+  int m_iFrames = 0;   /* since the title was last changed */
+  double m_dSince = 0; /* when, in seconds */
 };
 
 #endif /* RCFRAMEWORK_H */

@@ -37,7 +37,9 @@ inline float gridNoise(int x, int y) {
 inline float smoothNoise(float x, float y, int period) {
   const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
   const float fx = x - float(x0), fy = y - float(y0);
-  const auto at = [&](int i, int j) { return gridNoise((i % period + period) % period, (j % period + period) % period); };
+  const auto at = [&](int i, int j) {
+    return gridNoise((i % period + period) % period, (j % period + period) % period);
+  };
   const auto mix = [](float a, float b, float t) { return a + (b - a) * t * t * (3 - 2 * t); };
   return mix(mix(at(x0, y0), at(x0 + 1, y0), fx), mix(at(x0, y0 + 1), at(x0 + 1, y0 + 1), fx), fy);
 }

@@ -4,9 +4,9 @@
 // convert.h: numbers across the API: 16.16 fixed point, clamping, rounding that never overflows.
 #pragma once
 
-#include <cstddef>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "RC/rctypes.h"

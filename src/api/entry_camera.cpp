@@ -80,7 +80,8 @@ void rcFrustumx(RCfixed l, RCfixed r, RCfixed b, RCfixed t, RCfixed zNear, RCfix
 void rcuPerspective(RCfloat fovy, RCfloat aspect, RCfloat zNear, RCfloat zFar) {
   enter("rcuPerspective", [&](Context &context) {
     if (!(fovy > 0 && fovy < 180)) return context.fail(RC_INVALID_VALUE, "fovy %g is not between 0 and 180", fovy);
-    if (!(aspect > 0) || !std::isfinite(aspect)) return context.fail(RC_INVALID_VALUE, "aspect %g is not above 0", aspect);
+    if (!(aspect > 0) || !std::isfinite(aspect))
+      return context.fail(RC_INVALID_VALUE, "aspect %g is not above 0", aspect);
     const ddk::Window window = ddk::Window::perspective(fovy, aspect, zNear);
     setFrustum(context, window.left, window.right, window.bottom, window.top, zNear, zFar);
   });

@@ -57,8 +57,8 @@ void setVector(Context &context, RCenum face, RCenum pname, bool hasValues, Read
   const MaterialParameter *parameter = find(context, face, pname, false);
   if (!parameter) return;
   if (!hasValues) return context.fail(RC_INVALID_VALUE, "params is NULL");
-  const bool single = parameter->kind == Kind::Scalar ||
-                      (parameter->kind == Kind::Share && !context.profile().colouredReflection);
+  const bool single =
+      parameter->kind == Kind::Scalar || (parameter->kind == Kind::Share && !context.profile().colouredReflection);
   float values[3];
   for (int i = 0; i < 3; ++i) values[i] = read(single ? 0 : i);
   set(context, *parameter, values);
@@ -124,7 +124,8 @@ void rcBindMaterial(RCuint material) {
   enter("rcBindMaterial", [&](Context &context) {
     MaterialTable &materials = context.objects().materials;
     if (!materials.bind(material)) {
-      return context.fail(RC_OUT_OF_MEMORY, "%u is above the last material name, %u", material, hal::kNamedMaterials - 1);
+      return context.fail(RC_OUT_OF_MEMORY, "%u is above the last material name, %u", material,
+                          hal::kNamedMaterials - 1);
     }
     takeTextureOf(context, materials.bound());
   });

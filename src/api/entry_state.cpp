@@ -14,15 +14,36 @@ using namespace rc::api;
 namespace {
 
 // Caps of GL ES 1.1 that mean nothing to rays: accepted, and always reported off. [reference 4.3]
-constexpr RCenum kInertCaps[] = {
-    RC_ALPHA_TEST,   RC_BLEND,       RC_COLOR_LOGIC_OP, RC_CLIP_PLANE0,  RC_CLIP_PLANE1,
-    RC_CLIP_PLANE2,  RC_CLIP_PLANE3, RC_CLIP_PLANE4,    RC_CLIP_PLANE5,  RC_COLOR_MATERIAL,
-    RC_CULL_FACE,    RC_DEPTH_TEST,  RC_DITHER,         RC_FOG,          RC_LINE_SMOOTH,
-    RC_MULTISAMPLE,  RC_NORMALIZE,   RC_POINT_SMOOTH,   RC_POINT_SPRITE_OES, RC_POLYGON_OFFSET_FILL,
-    RC_RESCALE_NORMAL, RC_SAMPLE_ALPHA_TO_COVERAGE, RC_SAMPLE_ALPHA_TO_ONE, RC_SAMPLE_COVERAGE, RC_SCISSOR_TEST,
-    RC_STENCIL_TEST};
+constexpr RCenum kInertCaps[] = {RC_ALPHA_TEST,
+                                 RC_BLEND,
+                                 RC_COLOR_LOGIC_OP,
+                                 RC_CLIP_PLANE0,
+                                 RC_CLIP_PLANE1,
+                                 RC_CLIP_PLANE2,
+                                 RC_CLIP_PLANE3,
+                                 RC_CLIP_PLANE4,
+                                 RC_CLIP_PLANE5,
+                                 RC_COLOR_MATERIAL,
+                                 RC_CULL_FACE,
+                                 RC_DEPTH_TEST,
+                                 RC_DITHER,
+                                 RC_FOG,
+                                 RC_LINE_SMOOTH,
+                                 RC_MULTISAMPLE,
+                                 RC_NORMALIZE,
+                                 RC_POINT_SMOOTH,
+                                 RC_POINT_SPRITE_OES,
+                                 RC_POLYGON_OFFSET_FILL,
+                                 RC_RESCALE_NORMAL,
+                                 RC_SAMPLE_ALPHA_TO_COVERAGE,
+                                 RC_SAMPLE_ALPHA_TO_ONE,
+                                 RC_SAMPLE_COVERAGE,
+                                 RC_SCISSOR_TEST,
+                                 RC_STENCIL_TEST};
 
-bool isInert(RCenum cap) { return std::find(std::begin(kInertCaps), std::end(kInertCaps), cap) != std::end(kInertCaps); }
+bool isInert(RCenum cap) {
+  return std::find(std::begin(kInertCaps), std::end(kInertCaps), cap) != std::end(kInertCaps);
+}
 
 // The switch of a cap that acts, or null.
 bool *findSwitch(Context &context, RCenum cap) {
@@ -100,10 +121,8 @@ struct StringRow {
   RCenum name;
   const char *text;
 };
-constexpr StringRow kStrings[] = {{RC_VENDOR, "Siliconarts Inc."},
-                                  {RC_RENDERER, "RayCore"},
-                                  {RC_VERSION, "RayCore API 1.0"},
-                                  {RC_EXTENSIONS, ""}};
+constexpr StringRow kStrings[] = {
+    {RC_VENDOR, "Siliconarts Inc."}, {RC_RENDERER, "RayCore"}, {RC_VERSION, "RayCore API 1.0"}, {RC_EXTENSIONS, ""}};
 
 }  // namespace
 

@@ -82,9 +82,7 @@ void texImage(Context &context, const TexImage &image) {
   context.fail(RC_INVALID_ENUM, "type 0x%04X does not go with format 0x%04X", image.type, image.format);
 }
 
-bool isWrap(RCenum value) {
-  return value == RC_REPEAT || value == RC_CLAMP_TO_EDGE || value == RC_MIRRORED_REPEAT;
-}
+bool isWrap(RCenum value) { return value == RC_REPEAT || value == RC_CLAMP_TO_EDGE || value == RC_MIRRORED_REPEAT; }
 
 // A wrap mode goes to the texture, and to the material that is bound if it is an object. [spec 3.4]
 void setWrap(Context &context, ddk::TextureSlot slot, RCenum pname, RCenum value) {

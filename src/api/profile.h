@@ -10,15 +10,15 @@ namespace rc::api {
 
 struct Profile {
   std::string_view name;
-  bool colouredReflection;      // RC_REFLECTION and RC_TRANSMITTANCE through fv: three values, else one
-  float specularLevel;          // of a new material
-  bool perpendicularUp;         // rcuLookAt makes up perpendicular to the view
-  bool centredFrustum;          // of the window only its size counts
-  bool matricesPersist;         // after rcStaticSceneEnd and after a frame with dynamic geometry
-  int depthBounce;              // initially
-  bool defaultLightAtEye;       // else at (0, 0, 1)
-  int lights;                   // RC_MAX_LIGHTS
-  bool anyContextAttribute;     // eglCreateContext ignores attributes it does not know
+  bool colouredReflection;   // RC_REFLECTION and RC_TRANSMITTANCE through fv: three values, else one
+  float specularLevel;       // of a new material
+  bool perpendicularUp;      // rcuLookAt makes up perpendicular to the view
+  bool centredFrustum;       // of the window only its size counts
+  bool matricesPersist;      // after rcStaticSceneEnd and after a frame with dynamic geometry
+  int depthBounce;           // initially
+  bool defaultLightAtEye;    // else at (0, 0, 1)
+  int lights;                // RC_MAX_LIGHTS
+  bool anyContextAttribute;  // eglCreateContext ignores attributes it does not know
 };
 
 inline constexpr Profile kProfiles[] = {

@@ -40,7 +40,8 @@ constexpr QueryRow kRows[] = {
        const ViewState &view = c.state.view;
        v[0] = view.x, v[1] = view.y, v[2] = view.width, v[3] = view.height;
      }},
-    {RC_COLOR_CLEAR_VALUE, Kind::Colour, 4, [](const Context &c, double *v) { writeColour(c.state.view.clearColor, v); }},
+    {RC_COLOR_CLEAR_VALUE, Kind::Colour, 4,
+     [](const Context &c, double *v) { writeColour(c.state.view.clearColor, v); }},
     {RC_DEPTH_BOUNCE, Kind::Number, 1, [](const Context &c, double *v) { v[0] = c.state.depthBounce; }},
     // matrices
     {RC_MATRIX_MODE, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.matrices.mode; }},
@@ -84,19 +85,21 @@ constexpr QueryRow kRows[] = {
     {RC_MAX_VIEWPORT_DIMS, Kind::Number, 2, [](const Context &, double *v) { v[0] = v[1] = 2048; }},
     // the last traced frame
     {RC_FRAME_TRIANGLES, Kind::Number, 1,
-     [](const Context &c, double *v) { v[0] = double(c.lastFrame().staticTriangles + c.lastFrame().dynamicTriangles); }},
+     [](const Context &c, double *v) {
+       v[0] = double(c.lastFrame().staticTriangles + c.lastFrame().dynamicTriangles);
+     }},
     {RC_FRAME_TRIANGLES_SKIPPED, Kind::Number, 1,
      [](const Context &c, double *v) { v[0] = double(c.lastFrame().skippedTriangles); }},
     {RC_FRAME_RAYS, Kind::Number, 1, [](const Context &c, double *v) { v[0] = double(c.lastFrame().rays.all()); }},
 };
 
 // What can be enabled can be asked for by the same name.
-constexpr RCenum kSwitches[] = {RC_LIGHTING,           RC_TEXTURE_2D,
-                                RC_TEXTURE_2D_NORMAL,  RC_USE_SHADOW,
-                                RC_USE_COLOR_SHADOW,   RC_USE_TRANSMITTANCE_SHADOW,
-                                RC_USE_TEXTURE_ONLY,   RC_USE_TEXTURE_ALPHA_SHADOW,
-                                RC_LARGE_TEXTURES,     RC_VERTEX_ARRAY,
-                                RC_NORMAL_ARRAY,       RC_TEXTURE_COORD_ARRAY};
+constexpr RCenum kSwitches[] = {RC_LIGHTING,          RC_TEXTURE_2D,
+                                RC_TEXTURE_2D_NORMAL, RC_USE_SHADOW,
+                                RC_USE_COLOR_SHADOW,  RC_USE_TRANSMITTANCE_SHADOW,
+                                RC_USE_TEXTURE_ONLY,  RC_USE_TEXTURE_ALPHA_SHADOW,
+                                RC_LARGE_TEXTURES,    RC_VERTEX_ARRAY,
+                                RC_NORMAL_ARRAY,      RC_TEXTURE_COORD_ARRAY};
 
 bool isSwitch(const Context &context, RCenum name) {
   if (name >= RC_LIGHT0 && name - RC_LIGHT0 < context.state.light.lights.size()) return true;

@@ -12,10 +12,10 @@ namespace rc::api {
 
 struct QueryResult {
   enum class Kind {
-    Number,   // counts and measures
-    Colour,   // 0 ... 1 each channel; in integers 0 ... 255
-    Switch,   // 0 or 1
-    Token,    // never scaled
+    Number,  // counts and measures
+    Colour,  // 0 ... 1 each channel; in integers 0 ... 255
+    Switch,  // 0 or 1
+    Token,   // never scaled
   };
 
   Kind kind = Kind::Number;

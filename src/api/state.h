@@ -27,9 +27,7 @@ struct MatrixState {
   RCenum mode = RC_MODELVIEW;
   MatrixStack modelview, projection, texture;
 
-  MatrixStack &current() {
-    return mode == RC_PROJECTION ? projection : mode == RC_TEXTURE ? texture : modelview;
-  }
+  MatrixStack &current() { return mode == RC_PROJECTION ? projection : mode == RC_TEXTURE ? texture : modelview; }
 };
 
 struct LightState {
@@ -64,8 +62,8 @@ struct ArrayState {
 };
 
 struct ShadowState {
-  bool shadow = true, colour = true;                         // of the frame
-  bool transmittance = false, textureAlpha = false;          // captured by a draw
+  bool shadow = true, colour = true;                 // of the frame
+  bool transmittance = false, textureAlpha = false;  // captured by a draw
 };
 
 struct HintState {

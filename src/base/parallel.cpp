@@ -12,7 +12,8 @@
 namespace rc {
 
 struct Workers::Impl {
-  explicit Impl(int threads) : allowance(tbb::global_control::max_allowed_parallelism, size_t(threads)), arena(threads) {}
+  explicit Impl(int threads)
+      : allowance(tbb::global_control::max_allowed_parallelism, size_t(threads)), arena(threads) {}
 
   tbb::global_control allowance;  // lets an arena have more threads than the machine has cores
   tbb::task_arena arena;

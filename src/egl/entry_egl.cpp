@@ -90,7 +90,8 @@ EGLBoolean returnConfigs(std::span<const Config *const> found, EGLConfig *out, E
 // Window attributes of EGL 1.4; all surfaces have one back buffer, so there is nothing to choose.
 void checkWindowAttributes(const EGLint *attributes) {
   for (const EGLint *at = attributes; at && *at != EGL_NONE; at += 2) {
-    require(at[0] == EGL_RENDER_BUFFER || at[0] == EGL_VG_COLORSPACE || at[0] == EGL_VG_ALPHA_FORMAT, EGL_BAD_ATTRIBUTE);
+    require(at[0] == EGL_RENDER_BUFFER || at[0] == EGL_VG_COLORSPACE || at[0] == EGL_VG_ALPHA_FORMAT,
+            EGL_BAD_ATTRIBUTE);
   }
 }
 
@@ -391,13 +392,9 @@ EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext context, EGLint name, EGLi
   });
 }
 
-EGLBoolean eglWaitClient(void) {
-  return enter<EGLBoolean>(EGL_FALSE, finishCurrent);
-}
+EGLBoolean eglWaitClient(void) { return enter<EGLBoolean>(EGL_FALSE, finishCurrent); }
 
-EGLBoolean eglWaitGL(void) {
-  return enter<EGLBoolean>(EGL_FALSE, finishCurrent);
-}
+EGLBoolean eglWaitGL(void) { return enter<EGLBoolean>(EGL_FALSE, finishCurrent); }
 
 EGLBoolean eglWaitNative(EGLint engine) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
@@ -426,9 +423,7 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
   return EGL_FALSE;
 }
 
-EGLint eglGetError(void) {
-  return std::exchange(threadState().error, EGL_SUCCESS);
-}
+EGLint eglGetError(void) { return std::exchange(threadState().error, EGL_SUCCESS); }
 
 __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char *name) {
   using Function = __eglMustCastToProperFunctionPointerType;

@@ -53,8 +53,8 @@ class X11Image {
   int mDepth;
   ::GC mGc = nullptr;
   XImage *mImage = nullptr;
-  std::unique_ptr<Shared> mShared;      // null where pixels go through the connection
-  bool mSharedWorks = true;             // until an attempt fails: remote servers cannot
+  std::unique_ptr<Shared> mShared;                    // null where pixels go through the connection
+  bool mSharedWorks = true;                           // until an attempt fails: remote servers cannot
   std::array<std::array<uint32_t, 256>, 3> mChannel;  // byte of R, G, B -> bits of the visual
 };
 

@@ -77,8 +77,9 @@ WindowPlatform::~WindowPlatform() { WindowPlatform::Destroy(); }
 BOOL WindowPlatform::Create(const char *title, int &width, int &height) {
   ::Display *display = XOpenDisplay(nullptr);
   if (!display) {
-    fprintf(stderr, "RCFramework: no display, so the program runs off-screen; RAYCORE_CAPTURE=file.png writes its "
-                    "pictures, RAYCORE_FRAMES=n ends it\n");
+    fprintf(stderr,
+            "RCFramework: no display, so the program runs off-screen; RAYCORE_CAPTURE=file.png writes its "
+            "pictures, RAYCORE_FRAMES=n ends it\n");
     return TRUE;
   }
   m_pWindow = new Window;

@@ -20,9 +20,7 @@ constexpr int kMostBounces = 14;
 constexpr int kMostSkip = 3;
 constexpr int kFramesPerTitle = 10;
 
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // Sizes given as arguments are rounded down to a multiple of 16; 0 for what is no size.
 int sizeArgument(const char *text) { return std::max(std::min(atoi(text), 16384), 0) & ~15; }
@@ -80,12 +78,9 @@ BOOL RCFramework::Initialize(int argc, char **argv) {
 }
 
 BOOL RCFramework::InitializeEgl() {
-  const EGLint wanted[] = {EGL_RED_SIZE,        8,
-                           EGL_GREEN_SIZE,      8,
-                           EGL_BLUE_SIZE,       8,
-                           EGL_DEPTH_SIZE,      16,
-                           EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT,
-                           EGL_NONE};
+  const EGLint wanted[] = {
+      EGL_RED_SIZE,      8,       EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 16, EGL_RENDERABLE_TYPE,
+      EGL_OPENGL_ES_BIT, EGL_NONE};
   const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 1, EGL_NONE};
   const EGLint offScreen[] = {EGL_WIDTH, m_iWidth, EGL_HEIGHT, m_iHeight, EGL_NONE};
   EGLConfig config;

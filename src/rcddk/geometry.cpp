@@ -33,7 +33,8 @@ float loadComponent(Component type, const std::byte *at) {
 Vec3 loadVec3(const ArrayView &array, size_t index) {
   const std::byte *at = array.data + index * array.stride;
   const size_t step = sizeOf(array.type);
-  return {loadComponent(array.type, at), loadComponent(array.type, at + step), loadComponent(array.type, at + 2 * step)};
+  return {loadComponent(array.type, at), loadComponent(array.type, at + step),
+          loadComponent(array.type, at + 2 * step)};
 }
 
 Vec2 loadVec2(const ArrayView &array, size_t index) {
@@ -90,7 +91,8 @@ class Assembler {
       : mCall(call), mSet(set), mNormalMatrix(normalMatrix(call.worldFromObject)) {}
 
   void add(size_t i0, size_t i1, size_t i2) {
-    const size_t elements[3] = {loadIndex(mCall.indices, i0), loadIndex(mCall.indices, i1), loadIndex(mCall.indices, i2)};
+    const size_t elements[3] = {loadIndex(mCall.indices, i0), loadIndex(mCall.indices, i1),
+                                loadIndex(mCall.indices, i2)};
     hal::HotTriangle triangle{position(elements[0]), position(elements[1]), position(elements[2]),
                               mCall.material,        mCall.flags,           0};
     const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);

@@ -18,9 +18,9 @@ enum TextureSlot : size_t { kColourMap = 0, kNormalMap = 1, kTextureSlots = 2 };
 
 struct TextureUse {
   bool enabled = false;
-  RCuint name = 0;                       // for the gets
-  std::shared_ptr<Texture> texture;      // kept alive after its name is deleted
-  std::optional<RCenum> wrapS, wrapT;    // set while the material was bound; else the texture's
+  RCuint name = 0;                     // for the gets
+  std::shared_ptr<Texture> texture;    // kept alive after its name is deleted
+  std::optional<RCenum> wrapS, wrapT;  // set while the material was bound; else the texture's
 
   bool operator==(const TextureUse &) const = default;
 };

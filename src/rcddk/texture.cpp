@@ -33,9 +33,7 @@ uint32_t readTexel(PixelLayout layout, const uint8_t *at, uint32_t alpha) {
   return pack(widen(p >> 11, 5), widen(p >> 6 & 31, 5), widen(p >> 1 & 31, 5), (p & 1) * 255);
 }
 
-size_t texelBytes(PixelLayout layout) {
-  return layout == PixelLayout::Rgb8 ? 3 : layout == PixelLayout::Rgba8 ? 4 : 2;
-}
+size_t texelBytes(PixelLayout layout) { return layout == PixelLayout::Rgb8 ? 3 : layout == PixelLayout::Rgba8 ? 4 : 2; }
 
 // Mean of 2 x 2 texels, channel by channel, rounded.
 std::vector<uint32_t> halve(const std::vector<uint32_t> &fine, int width, int height) {

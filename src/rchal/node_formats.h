@@ -48,11 +48,11 @@ static_assert(sizeof(BvhNode32) == 32);
 inline constexpr int kMaxTreeDepth = 64;
 
 struct AccelView {
-  AccelKind kind = AccelKind::Exhaustive;     
-  Bounds bounds;                          // of all triangles
-  std::span<const KdNode8> kdNodes;       // root first; empty where there is nothing
-  std::span<const BvhNode32> bvhNodes;    // root first; empty where there is nothing
-  std::span<const uint32_t> primitives;   // what the leaves list: indices of triangles
+  AccelKind kind = AccelKind::Exhaustive;
+  Bounds bounds;                         // of all triangles
+  std::span<const KdNode8> kdNodes;      // root first; empty where there is nothing
+  std::span<const BvhNode32> bvhNodes;   // root first; empty where there is nothing
+  std::span<const uint32_t> primitives;  // what the leaves list: indices of triangles
 };
 
 }  // namespace rc::hal

@@ -32,12 +32,12 @@ struct Vec3Column {
 // A ray on its way to the traversal unit, and what its result counts for.
 struct RayItem {
   Ray ray;
-  Rgb weight{1};            // share of the pixel's colour
-  float coneWidth = 0;      // diameter of the footprint at the origin, world units
-  float coneSpread = 0;     // growth of it for each unit of distance
-  uint32_t pixel = 0;       // within the tile
-  uint8_t bounces = 0;      // reflections and refractions so far
-  uint8_t layers = 0;       // transparent texels passed so far
+  Rgb weight{1};         // share of the pixel's colour
+  float coneWidth = 0;   // diameter of the footprint at the origin, world units
+  float coneSpread = 0;  // growth of it for each unit of distance
+  uint32_t pixel = 0;    // within the tile
+  uint8_t bounces = 0;   // reflections and refractions so far
+  uint8_t layers = 0;    // transparent texels passed so far
 };
 
 struct RayQueue {

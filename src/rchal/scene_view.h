@@ -25,10 +25,10 @@ inline constexpr uint32_t kFiltersShadow = kTransmittanceShadow | kAlphaShadow;
 
 // Hot: what traversal and intersection read.
 struct HotTriangle {
-  Vec3 v0, v1, v2;     // 36
-  uint32_t material;   //  4  below kNamedMaterials: a name; else kNamedMaterials + index into captured
-  uint32_t flags;      //  4  TriangleFlag
-  uint32_t reserved;   //  4  keeps triangles 16-byte aligned
+  Vec3 v0, v1, v2;    // 36
+  uint32_t material;  //  4  below kNamedMaterials: a name; else kNamedMaterials + index into captured
+  uint32_t flags;     //  4  TriangleFlag
+  uint32_t reserved;  //  4  keeps triangles 16-byte aligned
 };
 static_assert(sizeof(HotTriangle) == 48);
 
@@ -72,11 +72,11 @@ struct LightRow {
   bool castsShadow = true;
   bool spot = false;
   Rgb ambient{1}, diffuse{0.1f}, specular{0};
-  Vec3 spotDirection{0, 0, -1};          // unit
-  float cosInner = 1, cosOuter = -1;     // of the half angles
+  Vec3 spotDirection{0, 0, -1};       // unit
+  float cosInner = 1, cosOuter = -1;  // of the half angles
   float spotExponent = 0;
   float constant = 1, linear = 0, quadratic = 0;
-  float rangeStart = 0, rangeEnd = 0;    // world units; off while end <= start
+  float rangeStart = 0, rangeEnd = 0;  // world units; off while end <= start
 };
 
 // Primary rays leave `eye` through the window, which lies at distance `near` against `back`.
@@ -104,15 +104,16 @@ struct SceneView {
   CameraView camera;
   Rgb clearColor{0};
   int maxBounces = 10;
-  int samples = 1;           // a pixel
-  float minWeight = 0;       // secondary rays whose weight is below are dropped
+  int samples = 1;      // a pixel
+  float minWeight = 0;  // secondary rays whose weight is below are dropped
   bool shadows = true;
   bool mipmaps = true;
 
   bool filtersShadow() const { return geometry[0].filtersShadow || geometry[1].filtersShadow; }
 };
 
-inline const MaterialRow &materialOf(const SceneView &scene, const GeometryView &geometry, const HotTriangle &triangle) {
+inline const MaterialRow &materialOf(const SceneView &scene, const GeometryView &geometry,
+                                     const HotTriangle &triangle) {
   return triangle.material < kNamedMaterials ? scene.materials[triangle.material]
                                              : geometry.captured[triangle.material - kNamedMaterials];
 }

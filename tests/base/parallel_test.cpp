@@ -31,7 +31,10 @@ TEST(Workers, EveryIndexOnceAndNoWorkerTwiceAtATime) {
 TEST(Workers, AllThreadsOfTheMachineByDefault) { EXPECT_GE(Workers(0).threads(), 1); }
 
 TEST(Workers, ExceptionsComeBack) {
-  EXPECT_THROW(Workers(2).forEach(10, [](size_t i, int) { if (i == 5) throw std::runtime_error("five"); }),
+  EXPECT_THROW(Workers(2).forEach(10,
+                                  [](size_t i, int) {
+                                    if (i == 5) throw std::runtime_error("five");
+                                  }),
                std::runtime_error);
 }
 

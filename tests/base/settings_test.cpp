@@ -30,8 +30,8 @@ TEST(Settings, Defaults) {
 }
 
 TEST(Settings, EveryVariable) {
-  sVariables = {{"RAYCORE_DEVICE", "ref"},  {"RAYCORE_THREADS", "3"}, {"RAYCORE_ACCEL", "bvh"},
-                {"RAYCORE_PROFILE", "1000"}, {"RAYCORE_SAMPLES", "4"}, {"RAYCORE_FRAMES", "7"},
+  sVariables = {{"RAYCORE_DEVICE", "ref"},    {"RAYCORE_THREADS", "3"}, {"RAYCORE_ACCEL", "bvh"},
+                {"RAYCORE_PROFILE", "1000"},  {"RAYCORE_SAMPLES", "4"}, {"RAYCORE_FRAMES", "7"},
                 {"RAYCORE_CAPTURE", "a.png"}, {"RAYCORE_LOG", "frame"}, {"RAYCORE_TEST", "1"}};
   std::string report;
   const Settings s = read(report);
@@ -49,13 +49,13 @@ TEST(Settings, EveryVariable) {
 
 TEST(Settings, NonsenseIsReportedAndIgnored) {
   for (const auto &[name, value] : std::map<std::string, std::string>{{"RAYCORE_DEVICE", "fpga"},
-                                                                       {"RAYCORE_THREADS", "many"},
-                                                                       {"RAYCORE_ACCEL", "octree"},
-                                                                       {"RAYCORE_PROFILE", "2000"},
-                                                                       {"RAYCORE_SAMPLES", "0"},
-                                                                       {"RAYCORE_FRAMES", "-1"},
-                                                                       {"RAYCORE_LOG", "loud"},
-                                                                       {"RAYCORE_TEST", "yes"}}) {
+                                                                      {"RAYCORE_THREADS", "many"},
+                                                                      {"RAYCORE_ACCEL", "octree"},
+                                                                      {"RAYCORE_PROFILE", "2000"},
+                                                                      {"RAYCORE_SAMPLES", "0"},
+                                                                      {"RAYCORE_FRAMES", "-1"},
+                                                                      {"RAYCORE_LOG", "loud"},
+                                                                      {"RAYCORE_TEST", "yes"}}) {
     sVariables = {{name, value}};
     std::string report;
     EXPECT_EQ(read(report), Settings{}) << name;

@@ -15,7 +15,8 @@ namespace rc::test {
 
 using Triangles = std::vector<hal::HotTriangle>;
 
-inline hal::HotTriangle triangle(const Vec3 &a, const Vec3 &b, const Vec3 &c, uint32_t material = 0, uint32_t flags = 0) {
+inline hal::HotTriangle triangle(const Vec3 &a, const Vec3 &b, const Vec3 &c, uint32_t material = 0,
+                                 uint32_t flags = 0) {
   return {a, b, c, material, flags, 0};
 }
 

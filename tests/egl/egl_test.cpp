@@ -44,8 +44,9 @@ class Egl : public testing::Test {
 void *const kNothing = reinterpret_cast<void *>(0x1234);
 
 TEST_F(Egl, TheGuidesCallsSucceedAndLeaveNoError) {
-  const EGLint wanted[] = {EGL_RED_SIZE,   8,  EGL_GREEN_SIZE,      8,                 EGL_BLUE_SIZE, 8,
-                           EGL_DEPTH_SIZE, 16, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT, EGL_NONE};
+  const EGLint wanted[] = {
+      EGL_RED_SIZE,      8,       EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_DEPTH_SIZE, 16, EGL_RENDERABLE_TYPE,
+      EGL_OPENGL_ES_BIT, EGL_NONE};
   EGLConfig config;
   EGLint count = 0;
   EXPECT_EQ(eglGetDisplay(EGL_DEFAULT_DISPLAY), mDisplay);

@@ -19,12 +19,23 @@ struct Example {
 };
 
 const Example kExamples[] = {
-    {"02_5a_perspective", 0.05, 2},  {"02_5b_frustum", 0.02, 2},      {"02_5c_look_at", 0.05, 2},
-    {"03_2a_translate", 0.05, 2},    {"03_2b_rotate", 0.05, 2},       {"03_2c_scale", 0.15, 2},
-    {"03_2d_rotate_then_translate", 0.05, 2}, {"03_2e_translate_then_rotate", 0.05, 2},
-    {"04_2_lights", 0.5, 5000},      {"05_5_textures", 0.6, 5000},    {"06_5a_phong", 0.2, 500},
-    {"06_5b_reflection", 0.03, 500}, {"06_5c_refraction", 0.1, 200},  {"09_4_cornell_box", 0.5, 300},
-    {"b_cube", 0.02, 20},            {"c_earth", 0.9, 5000},          {"d_1_5_egl", 0.05, 3},
+    {"02_5a_perspective", 0.05, 2},
+    {"02_5b_frustum", 0.02, 2},
+    {"02_5c_look_at", 0.05, 2},
+    {"03_2a_translate", 0.05, 2},
+    {"03_2b_rotate", 0.05, 2},
+    {"03_2c_scale", 0.15, 2},
+    {"03_2d_rotate_then_translate", 0.05, 2},
+    {"03_2e_translate_then_rotate", 0.05, 2},
+    {"04_2_lights", 0.5, 5000},
+    {"05_5_textures", 0.6, 5000},
+    {"06_5a_phong", 0.2, 500},
+    {"06_5b_reflection", 0.03, 500},
+    {"06_5c_refraction", 0.1, 200},
+    {"09_4_cornell_box", 0.5, 300},
+    {"b_cube", 0.02, 20},
+    {"c_earth", 0.9, 5000},
+    {"d_1_5_egl", 0.05, 3},
 };
 
 void PrintTo(const Example &example, std::ostream *out) { *out << example.name; }
@@ -112,7 +123,8 @@ TEST(ExampleEnvironment, TestModeEndsAfterThreeFrames) {
 }
 
 TEST(ExampleEnvironment, SamplesSmoothEdges) {
-  const ExampleRun plain = runExample("02_5a_perspective", 1), smooth = runExample("02_5a_perspective", 1, "RAYCORE_SAMPLES=16");
+  const ExampleRun plain = runExample("02_5a_perspective", 1),
+                   smooth = runExample("02_5a_perspective", 1, "RAYCORE_SAMPLES=16");
   std::set<Pixel> few, many;
   for (int x = 0; x < 800; ++x) few.insert(plain.picture.at(x, 300)), many.insert(smooth.picture.at(x, 300));
   EXPECT_EQ(few.size(), 2u);

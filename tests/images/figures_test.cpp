@@ -53,10 +53,24 @@ const Figure kTriangles[] = {
 
 const Figure kScenes[] = {
     {"ch6_phong.png", "06_5a_phong", 1, "", "", {-1, -1, 1, 1}, {}, 0.60, 39.5},
-    {"ch6_reflection.png", "06_5b_reflection", 15, kOldLight, "", {-0.059, -0.041, 0.8126, 0.8189},
-     {{318, 464, 140, 256}, {240, 298, 168, 226}, {645, 651, 0, 393}}, 1.9, 35.5},
-    {"ch6_refraction.png", "06_5c_refraction", 12, kOldLight, "", {-0.067, -0.998, 0.9111, 0.9124},
-     {{238, 496, 122, 320}}, 1.0, 42},
+    {"ch6_reflection.png",
+     "06_5b_reflection",
+     15,
+     kOldLight,
+     "",
+     {-0.059, -0.041, 0.8126, 0.8189},
+     {{318, 464, 140, 256}, {240, 298, 168, 226}, {645, 651, 0, 393}},
+     1.9,
+     35.5},
+    {"ch6_refraction.png",
+     "06_5c_refraction",
+     12,
+     kOldLight,
+     "",
+     {-0.067, -0.998, 0.9111, 0.9124},
+     {{238, 496, 122, 320}},
+     1.0,
+     42},
     {"ch9_cornell.png", "09_4_cornell_box", 15, "", "0.2", {-0.991, -0.861, 0.9125, 0.9099}, {}, 1.7, 37.5},
 };
 
@@ -114,7 +128,8 @@ TEST_F(Figures, HighlightsOfTheBallsAgree) {
     size_t channel;
     double maxMae;
   };
-  const Window windows[] = {{{243, 293, 205, 255}, 1, 1.5}, {{364, 414, 205, 255}, 2, 2.4}, {{484, 534, 205, 255}, 0, 2.8}};
+  const Window windows[] = {
+      {{243, 293, 205, 255}, 1, 1.5}, {{364, 414, 205, 255}, 2, 2.4}, {{484, 534, 205, 255}, 0, 2.8}};
   for (const Window &window : windows) {
     double sum = 0, count = 0;
     for (int y = window.rect.y0; y < window.rect.y1; ++y) {
@@ -187,7 +202,8 @@ TEST_F(Figures, TheEarthHasTheHighlightOfTheFigure) {
       ss += s * s, sd += s * d, dd += d * d, rs += r * s, rd += r * d, ++n;
     }
   }
-  const double determinant = ss * dd - sd * sd, a = (rs * dd - rd * sd) / determinant, b = (rd * ss - rs * sd) / determinant;
+  const double determinant = ss * dd - sd * sd, a = (rs * dd - rd * sd) / determinant,
+               b = (rd * ss - rs * sd) / determinant;
   double square = 0;
   for (const auto &[s, d, r] : samples) square += (r - a * s - b * d) * (r - a * s - b * d);
   const double rms = std::sqrt(square / n);

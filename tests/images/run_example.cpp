@@ -29,7 +29,8 @@ const std::filesystem::path &scratch() {
 
 }  // namespace
 
-ExampleRun runExample(const std::string &name, int frames, const std::string &environment, const std::string &arguments) {
+ExampleRun runExample(const std::string &name, int frames, const std::string &environment,
+                      const std::string &arguments) {
   const std::string file = (scratch() / (name + ".png")).string();
   std::remove(file.c_str());
   const std::string command = "env -u DISPLAY RAYCORE_FRAMES=" + std::to_string(frames) + " RAYCORE_CAPTURE='" + file +

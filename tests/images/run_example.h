@@ -18,6 +18,6 @@ struct ExampleRun {
 
 // environment: "NAME=value ..." for the shell, on top of RAYCORE_FRAMES=frames.
 ExampleRun runExample(const std::string &name, int frames, const std::string &environment = {},
-               const std::string &arguments = {});
+                      const std::string &arguments = {});
 
 }  // namespace rc::test

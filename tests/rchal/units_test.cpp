@@ -224,7 +224,8 @@ TEST(HitPoint, NormalsAreTurnedToTheRayAndOffsetsGrowWithDistance) {
   for (Vec3 &normal : scene.attributes[0].normal) normal = glm::normalize(Vec3(0.2f, 0, 1));
   const GeometryView &geometry = scene.update().geometry[0];
   const Hit hit{1, 0.25f, 0.25f, 0};
-  const SurfacePoint front = surfacePoint(geometry, 0, hit, {0, 0, -1}), back = surfacePoint(geometry, 0, hit, {0, 0, 1});
+  const SurfacePoint front = surfacePoint(geometry, 0, hit, {0, 0, -1}),
+                     back = surfacePoint(geometry, 0, hit, {0, 0, 1});
   EXPECT_TRUE(front.front);
   EXPECT_FALSE(back.front);
   EXPECT_GT(front.normal.z, 0);

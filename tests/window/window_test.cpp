@@ -4,7 +4,6 @@
 // Real windows in a virtual X server: what they show, resizing, keys, the close button, exit codes.
 #include <X11/keysym.h>
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <filesystem>
@@ -33,7 +32,8 @@ class WindowTest : public testing::TestWithParam<Server> {
     if (!XServer::available()) GTEST_SKIP() << "Xvfb is not installed; scripts/setup.sh does it";
     mServer.emplace(GetParam().options);
     ASSERT_TRUE(mServer->connection()) << "Xvfb did not start";
-    mCapture = (std::filesystem::temp_directory_path() / ("raycore-window-" + std::to_string(getpid()) + ".png")).string();
+    mCapture =
+        (std::filesystem::temp_directory_path() / ("raycore-window-" + std::to_string(getpid()) + ".png")).string();
   }
   void TearDown() override {
     mProgram.reset();

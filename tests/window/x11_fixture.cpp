@@ -106,11 +106,12 @@ Picture XServer::screenshot(Window window) const {
   Picture picture;
   XWindowAttributes attributes;
   if (!XGetWindowAttributes(mConnection, window, &attributes)) return picture;
-  XImage *image = XGetImage(mConnection, window, 0, 0, unsigned(attributes.width), unsigned(attributes.height), AllPlanes,
-                            ZPixmap);
+  XImage *image =
+      XGetImage(mConnection, window, 0, 0, unsigned(attributes.width), unsigned(attributes.height), AllPlanes, ZPixmap);
   if (!image) return picture;
   picture = {image->width, image->height, {}};
-  const unsigned long masks[] = {attributes.visual->red_mask, attributes.visual->green_mask, attributes.visual->blue_mask};
+  const unsigned long masks[] = {attributes.visual->red_mask, attributes.visual->green_mask,
+                                 attributes.visual->blue_mask};
   for (int y = 0; y < image->height; ++y) {
     for (int x = 0; x < image->width; ++x) {
       const unsigned long pixel = XGetPixel(image, x, y);

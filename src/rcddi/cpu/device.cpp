@@ -28,7 +28,8 @@ class CpuDevice final : public Device {
     std::vector<TileTracer<>> tracers(size_t(mWorkers.threads()), TileTracer<>(kBatch));
     mWorkers.forEach(size_t(across) * size_t(down), [&](size_t i, int worker) {
       const int column = int(i) % across * kTileSize, row = int(i) / across * kTileSize;
-      const Tile tile{column, row, std::min(kTileSize, visible.columns - column), std::min(kTileSize, visible.rows - row)};
+      const Tile tile{column, row, std::min(kTileSize, visible.columns - column),
+                      std::min(kTileSize, visible.rows - row)};
       tracers[size_t(worker)].trace(scene, tile, target);
     });
     RayCounts counts;

@@ -14,9 +14,9 @@ using hal::BvhNode32;
 using hal::HotTriangle;
 
 constexpr int kBins = 16;
-constexpr size_t kLeafSize = 4;       // at most, where the heuristic has a choice
-constexpr float kNodeCost = 1.2f;     // of a step through an inner node, in triangle tests
-constexpr int kBalancedDepth = 30;    // from here on halves, so that the depth stays below kMaxTreeDepth
+constexpr size_t kLeafSize = 4;     // at most, where the heuristic has a choice
+constexpr float kNodeCost = 1.2f;   // of a step through an inner node, in triangle tests
+constexpr int kBalancedDepth = 30;  // from here on halves, so that the depth stays below kMaxTreeDepth
 
 struct Bin {
   Bounds box;
@@ -83,9 +83,8 @@ class BvhBuilder {
     if (count <= kLeafSize && !(split.cost < leafCost)) return begin;
     if (split.axis < 0) return begin + count / 2;  // all centres in one place, or too deep
     const auto first = mReferences.begin();
-    const auto middle = std::partition(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end), [&](const Reference &r) {
-      return binning(r, split.axis) < split.bin;
-    });
+    const auto middle = std::partition(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
+                                       [&](const Reference &r) { return binning(r, split.axis) < split.bin; });
     return static_cast<size_t>(middle - first);
   }
 

@@ -16,10 +16,10 @@ using hal::HotTriangle;
 using hal::KdNode8;
 
 constexpr int kBins = 32;
-constexpr float kNodeCost = 1.0f;      // of a step through an inner node, in triangle tests
-constexpr float kEmptyFactor = 0.8f;   // what a split costs that cuts empty space off
-constexpr size_t kLeafSize = 2;        // not worth splitting
-constexpr int kMaxBadSplits = 3;       // on a path: splits that do not pay by themselves may pay below
+constexpr float kNodeCost = 1.0f;     // of a step through an inner node, in triangle tests
+constexpr float kEmptyFactor = 0.8f;  // what a split costs that cuts empty space off
+constexpr size_t kLeafSize = 2;       // not worth splitting
+constexpr int kMaxBadSplits = 3;      // on a path: splits that do not pay by themselves may pay below
 
 struct Split {
   int axis = -1;
@@ -104,7 +104,9 @@ class KdBuilder {
     const float lower = content.lower[axis], size = content.size()[axis];
     if (!(size > 0) || !std::isfinite(size)) return;
     const float scale = kBins * 0.9999f / size;
-    const auto binOf = [&](float x) { return static_cast<size_t>(std::clamp((x - lower) * scale, 0.0f, kBins - 1.0f)); };
+    const auto binOf = [&](float x) {
+      return static_cast<size_t>(std::clamp((x - lower) * scale, 0.0f, kBins - 1.0f));
+    };
     std::array<size_t, kBins> begins{}, ends{};
     for (const Reference &reference : references) {
       ++begins[binOf(reference.box.lower[axis])];
@@ -122,7 +124,8 @@ class KdBuilder {
       if (position <= cell.lower[axis] || position >= cell.upper[axis]) continue;
       Bounds leftCell = cell, rightCell = cell;
       leftCell.upper[axis] = rightCell.lower[axis] = position;
-      const float tests = leftCell.halfArea() * static_cast<float>(left) + rightCell.halfArea() * static_cast<float>(right);
+      const float tests =
+          leftCell.halfArea() * static_cast<float>(left) + rightCell.halfArea() * static_cast<float>(right);
       const float cost = kNodeCost + (left == 0 || right == 0 ? kEmptyFactor : 1) * tests / cell.halfArea();
       if (cost < best.cost) best = {axis, position, cost};
     }
@@ -181,8 +184,8 @@ class KdBuilder {
 
 void buildKdTree(std::span<const HotTriangle> triangles, Accel &accel) {
   std::vector<Reference> references = makeReferences(triangles, accel.bounds);
-  const int depth = std::min(8 + static_cast<int>(1.3f * std::log2(static_cast<float>(references.size()))),
-                             hal::kMaxTreeDepth - 2);
+  const int depth =
+      std::min(8 + static_cast<int>(1.3f * std::log2(static_cast<float>(references.size()))), hal::kMaxTreeDepth - 2);
   Subtree tree;
   KdBuilder(triangles).build(std::move(references), accel.bounds, depth, 0, tree);
   tree.nodes.shrink_to_fit();

@@ -11,8 +11,8 @@ namespace rc::hal {
 
 struct SurfacePoint {
   Vec3 position;
-  Vec3 flatNormal;   // unit, on the side the ray came from
-  Vec3 normal;       // unit, interpolated where there are normals, turned with flatNormal
+  Vec3 flatNormal;  // unit, on the side the ray came from
+  Vec3 normal;      // unit, interpolated where there are normals, turned with flatNormal
   Vec2 uv{0};
   float safeOffset;  // distance from the surface at which a new ray cannot hit it again
   bool front;        // the ray met the counter-clockwise side

@@ -23,7 +23,8 @@ inline Vec2 samplePosition(int sample, int samples) {
 inline RayItem primaryRay(const CameraView &camera, int column, int row, Vec2 offset) {
   const float x =
       camera.left + camera.width * (static_cast<float>(column) + offset.x) / static_cast<float>(camera.columns);
-  const float y = camera.bottom + camera.height * (static_cast<float>(row) + offset.y) / static_cast<float>(camera.rows);
+  const float y =
+      camera.bottom + camera.height * (static_cast<float>(row) + offset.y) / static_cast<float>(camera.rows);
   RayItem item;
   item.ray.origin = camera.eye;
   item.ray.direction = normalizedOr(camera.right * x + camera.up * y - camera.back * camera.near, -camera.back);

@@ -25,7 +25,11 @@ struct Outputs {
 class Shader {
  public:
   Shader(const SceneView &scene, const RayItem &item, const Hit &hit, const Outputs &out)
-      : mScene(scene), mItem(item), mOut(out), mView(-item.ray.direction), mConeWidth(item.coneWidth + item.coneSpread * hit.t) {
+      : mScene(scene),
+        mItem(item),
+        mOut(out),
+        mView(-item.ray.direction),
+        mConeWidth(item.coneWidth + item.coneSpread * hit.t) {
     const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
     const bool dynamic = hit.primitive >= firstDynamic;
     const GeometryView &geometry = scene.geometry[dynamic];

@@ -39,8 +39,8 @@ inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
     if (!hit.found()) return share;
     const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
     const bool dynamic = hit.primitive >= firstDynamic;
-    share *= shadowFilter(scene, scene.geometry[dynamic], hit.primitive - (dynamic ? firstDynamic : 0), hit,
-                          ray.direction);
+    share *=
+        shadowFilter(scene, scene.geometry[dynamic], hit.primitive - (dynamic ? firstDynamic : 0), hit, ray.direction);
     if (maxComponent(share) <= 0) return Rgb(0);
     last = {hit.t, hit.primitive};
   }
