@@ -127,8 +127,8 @@ RC_APICALL void RC_APIENTRY rcDeleteMaterials(RCsizei n, RCuint *materials);
 RC_APICALL void RC_APIENTRY rcBindMaterial(RCuint material);
 /* RC_TRUE if the name is in use (0 too). */
 RC_APICALL RCboolean RC_APIENTRY rcIsMaterial(RCuint material);
-/* face RC_FRONT_AND_BACK. RC_SHININESS (>= 0), RC_SPECULAR_LEVEL (>= 0), RC_REFRACTION_INDEX (> 0),
- * RC_REFLECTION and RC_TRANSMITTANCE (0 ... 1, for all three channels). IE: face, pname; IV: range. */
+/* face RC_FRONT_AND_BACK. RC_SHININESS (>= 0), RC_SPECULAR_LEVEL (>= 0), RC_REFRACTION_INDEX (> 0; 0 is taken
+ * as 1), RC_ROUGHNESS (>= 0; second generation, stored), RC_REFLECTION and RC_TRANSMITTANCE (0 ... 1, for all three channels). IE: face, pname; IV: range. */
 RC_APICALL void RC_APIENTRY rcMaterialf(RCenum face, RCenum pname, RCfloat param);
 RC_APICALL void RC_APIENTRY rcMaterialx(RCenum face, RCenum pname, RCfixed param);
 /* Those (reflection and transmittance as three values), and the colours RC_AMBIENT, RC_DIFFUSE,
@@ -176,6 +176,15 @@ RC_APICALL void RC_APIENTRY rcFinish(void);
 RC_APICALL void RC_APIENTRY rcFlush(void);
 /* Generations of rays after the primary hit, clamped to 0 ... 14; initially 10. */
 RC_APICALL void RC_APIENTRY rcDepthBounce(RCuint value);
+
+/* ---- Second generation (RayCore MC): stored, without effect on the picture yet ----------------- */
+
+/* Radius of all lights in world units; 0: hard shadows. Initially 100. */
+RC_APICALL void RC_APIENTRY rcSetLightRadius(RCfloat radius);
+/* Probability of a diffuse ray in tenths, 0 ... 10; initially 10. */
+RC_APICALL void RC_APIENTRY rcSetDiffuseRate(RCuint rate);
+/* Samples a pixel, 1 ... 32; initially 8. */
+RC_APICALL void RC_APIENTRY rcSetSPPCount(RCuint count);
 
 /* ---- State and errors ----------------------------------------------------------------------- */
 

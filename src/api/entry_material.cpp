@@ -115,8 +115,10 @@ void rcDeleteMaterials(RCsizei n, RCuint *materials) {
   enter("rcDeleteMaterials", [&](Context &context) {
     if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
     if (!materials) return;
-    for (RCsizei i = 0; i < n; ++i) context.objects().materials.remove(materials[i]);
-    context.touch();
+    MaterialTable &table = context.objects().materials;
+    const RCuint before = table.boundName();
+    for (RCsizei i = 0; i < n; ++i) table.remove(materials[i]);
+    if (table.boundName() != before) takeTextureOf(context, table.bound());
   });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// Entry points: scenes and frames. [spec 3.7; G 8, 9]
+// Entry points: scenes and frames. [spec 3.7, 7; G 8, 9]
 #include "RC/rc.h"
 #include "api/guard.h"
 
@@ -50,6 +50,20 @@ void rcDepthBounce(RCuint value) {
     context.state.depthBounce = static_cast<int>(std::min(value, kDeepestBounce));
     context.touch();
   });
+}
+
+// The second generation's calls: no range is checked, as in the original. [reference 4.12]
+
+void rcSetLightRadius(RCfloat radius) {
+  enter("rcSetLightRadius", [&](Context &context) { context.state.pathTracing.lightRadius = radius; });
+}
+
+void rcSetDiffuseRate(RCuint rate) {
+  enter("rcSetDiffuseRate", [&](Context &context) { context.state.pathTracing.diffuseRate = rate; });
+}
+
+void rcSetSPPCount(RCuint count) {
+  enter("rcSetSPPCount", [&](Context &context) { context.state.pathTracing.sampleCount = count; });
 }
 
 }  // extern "C"

@@ -20,6 +20,7 @@ constexpr MaterialParameter kParameters[] = {
     {RC_TRANSMITTANCE, Kind::Share, [](Material &m) { return &m.transmittance; }, nullptr},
     {RC_SHININESS, Kind::Scalar, nullptr, [](Material &m) { return &m.shininess; }},
     {RC_SPECULAR_LEVEL, Kind::Scalar, nullptr, [](Material &m) { return &m.specularLevel; }},
+    {RC_ROUGHNESS, Kind::Scalar, nullptr, [](Material &m) { return &m.roughness; }},
     {RC_REFRACTION_INDEX, Kind::Scalar, nullptr, [](Material &m) { return &m.refractionIndex; }},
 };
 

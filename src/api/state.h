@@ -72,6 +72,13 @@ struct HintState {
   RCenum perspective = RC_DONT_CARE, pointSmooth = RC_DONT_CARE;
 };
 
+// Of the second generation: stored, without effect on the picture. [spec 7; reference 4.12]
+struct PathTracingState {
+  RCfloat lightRadius = 100;
+  RCuint diffuseRate = 10;  // tenths of the probability of a diffuse ray
+  RCuint sampleCount = 8;   // a pixel
+};
+
 struct State {
   ViewState view;
   MatrixState matrices;
@@ -80,6 +87,7 @@ struct State {
   ArrayState arrays;
   ShadowState shadow;
   HintState hints;
+  PathTracingState pathTracing;
   Vec4 currentColor{1};
   bool textureOnly = false;  // captured by a draw
   int depthBounce = 10;      // the profile's

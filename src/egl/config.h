@@ -17,6 +17,10 @@ struct Config {
   EGLint alphaSize, depthSize;
 
   EGLint bufferSize() const { return 24 + alphaSize; }
+  // Whether contexts of one may draw to surfaces of the other. [EGL 1.4, 2.2]
+  bool compatibleWith(const Config &other) const {
+    return alphaSize == other.alphaSize && depthSize == other.depthSize;
+  }
   // Nothing for names that are no attribute of a config.
   std::optional<EGLint> attribute(EGLint name) const;
 };

@@ -351,6 +351,8 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     auto newDraw = surfaceOf(display, draw);
     surfaceOf(display, read);
     require(!newContext->current || newContext == thread.context, EGL_BAD_ACCESS);
+    require(!newDraw->current || newDraw == thread.draw, EGL_BAD_ACCESS);
+    require(newContext->config.compatibleWith(newDraw->config()), EGL_BAD_MATCH);
     thread.makeCurrent(dpy, std::move(newContext), std::move(newDraw));
     return EGL_TRUE;
   });

@@ -26,6 +26,8 @@ class Surface final : public api::DrawSurface {
   bool isWindow() const { return mWindow != nullptr; }
   bool gone() const { return mGone; }
 
+  bool current = false;  // on some thread
+
   hal::Target backBuffer() override;
   // Shows the back buffer; false if the window is gone.
   bool present();

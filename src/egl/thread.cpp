@@ -11,12 +11,14 @@ void ThreadState::makeCurrent(EGLDisplay newDisplay, std::shared_ptr<RenderConte
   if (context) {
     context->api.attach(nullptr);
     context->current = false;
+    draw->current = false;
   }
   display = newDisplay;
   context = std::move(newContext);
   draw = std::move(newDraw);
   if (context) {
     context->current = true;
+    draw->current = true;
     context->api.attach(draw.get());
   }
   api::setCurrentContext(context ? &context->api : nullptr);

@@ -225,6 +225,26 @@ TEST_F(Egl, AContextIsCurrentOnOneThread) {
   std::thread([&] { EXPECT_TRUE(eglMakeCurrent(mDisplay, other, other, made)); }).join();
 }
 
+TEST_F(Egl, ASurfaceIsCurrentOnOneThread) {
+  const EGLSurface surface = pbuffer();
+  const EGLContext first = context(), second = context();
+  ASSERT_TRUE(eglMakeCurrent(mDisplay, surface, surface, first));
+  std::thread([&] {
+    EXPECT_FALSE(eglMakeCurrent(mDisplay, surface, surface, second));
+    expectError(EGL_BAD_ACCESS);
+  }).join();
+}
+
+TEST_F(Egl, ContextAndSurfaceMustMatch) {
+  const EGLint alpha[] = {EGL_ALPHA_SIZE, 8, EGL_NONE};
+  EGLConfig other;
+  EGLint count = 0;
+  ASSERT_TRUE(eglChooseConfig(mDisplay, alpha, &other, 1, &count));
+  const EGLSurface surface = pbuffer();
+  EXPECT_FALSE(eglMakeCurrent(mDisplay, surface, surface, eglCreateContext(mDisplay, other, EGL_NO_CONTEXT, nullptr)));
+  expectError(EGL_BAD_MATCH);
+}
+
 TEST_F(Egl, DestroyedWhileCurrentWorksOn) {
   const EGLSurface surface = pbuffer();
   const EGLContext made = context();

@@ -62,7 +62,7 @@ TEST(Accel, RaysAlongGridLines) {
 
 template <class Node>
 bool sameBytes(const std::vector<Node> &a, const std::vector<Node> &b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Node)) == 0;
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Node)) == 0);
 }
 
 TEST(Accel, TheTreeDoesNotDependOnTheThreads) {

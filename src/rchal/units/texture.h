@@ -52,7 +52,7 @@ inline Vec4 sampleBilinear(const TextureView &texture, int level, Vec2 uv, Wrap 
 inline Vec4 sampleTexture(const TextureView &texture, Vec2 uv, Wrap wrapS, Wrap wrapT, float lod) {
   const float last = static_cast<float>(texture.levelCount - 1);
   const float level = lod > 0 ? std::min(lod, last) : 0.0f;  // also where lod is not a number
-  if (!texture.trilinear) return sampleBilinear(texture, int(level + 0.5f), uv, wrapS, wrapT);
+  if (!texture.trilinear) return sampleBilinear(texture, int(std::floor(level + 0.5f)), uv, wrapS, wrapT);
   const int coarse = std::min(int(level) + 1, texture.levelCount - 1);
   const Vec4 fine = sampleBilinear(texture, int(level), uv, wrapS, wrapT);
   return glm::mix(fine, sampleBilinear(texture, coarse, uv, wrapS, wrapT), level - std::floor(level));
