@@ -61,7 +61,8 @@ TEST_F(Egl, TheGuidesCallsSucceedAndLeaveNoError) {
   eglQuerySurface(mDisplay, surface, EGL_HEIGHT, &height);
   EXPECT_EQ(width, 800);
   EXPECT_EQ(height, 480);
-  const EGLContext made = context();
+  const EGLint version1[] = {EGL_CONTEXT_CLIENT_VERSION, 1, EGL_NONE};
+  const EGLContext made = eglCreateContext(mDisplay, config, EGL_NO_CONTEXT, version1);
   EXPECT_EQ(eglMakeCurrent(mDisplay, surface, surface, made), EGLBoolean(EGL_TRUE));
   RCint viewport[4];
   rcGetIntegerv(RC_VIEWPORT, viewport);
