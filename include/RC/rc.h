@@ -44,7 +44,8 @@ RC_APICALL void RC_APIENTRY rcClear(RCbitfield mask);
 
 /* ---- Transforms [G 3] ----------------------------------------------------------------------- */
 
-/* The matrix the calls below act on: RC_MODELVIEW (initially), RC_PROJECTION, RC_TEXTURE. IE: others. */
+/* The matrix the calls below act on: RC_MODELVIEW (initially), RC_PROJECTION, RC_TEXTURE,
+ * RC_MATRIX_PALETTE_OES (IO while the palette is not enabled). IE: others. */
 RC_APICALL void RC_APIENTRY rcMatrixMode(RCenum mode);
 /* Replaces the current matrix by the identity. */
 RC_APICALL void RC_APIENTRY rcLoadIdentity(void);
@@ -127,8 +128,9 @@ RC_APICALL void RC_APIENTRY rcDeleteMaterials(RCsizei n, RCuint *materials);
 RC_APICALL void RC_APIENTRY rcBindMaterial(RCuint material);
 /* RC_TRUE if the name is in use (0 too). */
 RC_APICALL RCboolean RC_APIENTRY rcIsMaterial(RCuint material);
-/* face RC_FRONT_AND_BACK. RC_SHININESS (>= 0), RC_SPECULAR_LEVEL (>= 0), RC_REFRACTION_INDEX (> 0; 0 is taken
- * as 1), RC_ROUGHNESS (>= 0; second generation, stored), RC_REFLECTION and RC_TRANSMITTANCE (0 ... 1, for all three channels). IE: face, pname; IV: range. */
+/* face RC_FRONT_AND_BACK. RC_SHININESS (>= 0), RC_SPECULAR_LEVEL (>= 0), RC_REFRACTION_INDEX (>= 0; 0 is taken
+ * as 1), RC_ROUGHNESS (>= 0; second generation, stored), RC_REFLECTION and RC_TRANSMITTANCE (for all three
+ * channels, clamped to 0 ... 1). IE: face, pname; IV: range. */
 RC_APICALL void RC_APIENTRY rcMaterialf(RCenum face, RCenum pname, RCfloat param);
 RC_APICALL void RC_APIENTRY rcMaterialx(RCenum face, RCenum pname, RCfixed param);
 /* Those (reflection and transmittance as three values), and the colours RC_AMBIENT, RC_DIFFUSE,
@@ -145,7 +147,8 @@ RC_APICALL void RC_APIENTRY rcColor4x(RCfixed red, RCfixed green, RCfixed blue, 
 
 /* ---- Geometry [G 7] ------------------------------------------------------------------------- */
 
-/* RC_VERTEX_ARRAY, RC_NORMAL_ARRAY, RC_TEXTURE_COORD_ARRAY on and off; initially off. IE. */
+/* RC_VERTEX_ARRAY, RC_NORMAL_ARRAY, RC_TEXTURE_COORD_ARRAY, RC_COLOR_ARRAY, RC_MATRIX_INDEX_ARRAY_OES,
+ * RC_WEIGHT_ARRAY_OES on and off; initially off. IE. */
 RC_APICALL void RC_APIENTRY rcEnableClientState(RCenum array);
 RC_APICALL void RC_APIENTRY rcDisableClientState(RCenum array);
 /* Where the arrays lie. type RC_BYTE, RC_SHORT, RC_FLOAT, RC_FIXED; stride in bytes, 0 = packed.
@@ -153,7 +156,10 @@ RC_APICALL void RC_APIENTRY rcDisableClientState(RCenum array);
 RC_APICALL void RC_APIENTRY rcVertexPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer);
 RC_APICALL void RC_APIENTRY rcTexCoordPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer);
 RC_APICALL void RC_APIENTRY rcNormalPointer(RCenum type, RCsizei stride, const RCvoid *pointer);
-/* Pointer of an array: RC_VERTEX_/NORMAL_/TEXTURE_COORD_ARRAY_POINTER. IE. */
+/* Colours of vertices, which multiply the material's ambient and diffuse; size 4, alpha is not used. types
+ * (UNSIGNED_)BYTE, (UNSIGNED_)SHORT (over their largest value), RC_FIXED, RC_FLOAT; clamped to 0 ... 1. */
+RC_APICALL void RC_APIENTRY rcColorPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer);
+/* Pointer of an array, or its offset in a buffer object: RC_..._ARRAY_POINTER. IE. */
 RC_APICALL void RC_APIENTRY rcGetPointerv(RCenum pname, RCvoid **params);
 /* Submits vertices first ... first + count - 1 as RC_TRIANGLES, _QUADS, _TRIANGLE_FAN or _TRIANGLE_STRIP.
  * An incomplete last primitive is dropped. IE: mode; IV: first or count < 0. */
@@ -161,6 +167,40 @@ RC_APICALL void RC_APIENTRY rcDrawArrays(RCenum mode, RCint first, RCsizei count
 /* The same through count indices of type (UNSIGNED_)BYTE, _SHORT or _INT, all read as unsigned.
  * IE: mode, type; IV: count < 0; IO: NULL indices. */
 RC_APICALL void RC_APIENTRY rcDrawElements(RCenum mode, RCsizei count, RCenum type, const RCvoid *indices);
+
+/* ---- Buffer objects: arrays and indices in memory of the library [OpenGL ES 1.1] ----------------- */
+
+/* Makes n names, the lowest free ones. IV: n < 0. */
+RC_APICALL void RC_APIENTRY rcGenBuffers(RCsizei n, RCuint *buffers);
+/* Deletes; 0 and unknown names are ignored; arrays that read a deleted buffer have no data. IV: n < 0. */
+RC_APICALL void RC_APIENTRY rcDeleteBuffers(RCsizei n, const RCuint *buffers);
+/* target RC_ARRAY_BUFFER: rc*Pointer calls take offsets into it (IV: beyond its end; IO: it is empty).
+ * RC_ELEMENT_ARRAY_BUFFER: rcDrawElements does. An unused name is made; 0: client memory. IE. */
+RC_APICALL void RC_APIENTRY rcBindBuffer(RCenum target, RCuint buffer);
+/* RC_TRUE if the name is in use (0 too). */
+RC_APICALL RCboolean RC_APIENTRY rcIsBuffer(RCuint buffer);
+/* Replaces the data of the bound buffer: size bytes, zeros for NULL; usage RC_STATIC_DRAW or RC_DYNAMIC_DRAW.
+ * IE: target, usage; IV: size < 0; IO: name 0 is bound; OOM. */
+RC_APICALL void RC_APIENTRY rcBufferData(RCenum target, RCsizeiptr size, const RCvoid *data, RCenum usage);
+/* Replaces a part of a RC_DYNAMIC_DRAW buffer. IE: target; IO: name 0 is bound, RC_STATIC_DRAW; IV: the part is
+ * empty or not within the buffer, NULL data. */
+RC_APICALL void RC_APIENTRY rcBufferSubData(RCenum target, RCintptr offset, RCsizeiptr size, const RCvoid *data);
+/* RC_BUFFER_SIZE in bytes, RC_BUFFER_USAGE. IE: target, pname; IO: name 0 is bound. */
+RC_APICALL void RC_APIENTRY rcGetBufferParameteriv(RCenum target, RCenum pname, RCint *params);
+
+/* ---- Matrix palette: vertices that follow bones [OES_matrix_palette] ----------------------------- */
+
+/* A vertex becomes the sum of weight * palette matrix * modelview * vertex. rcEnable(RC_MATRIX_PALETTE_OES) comes
+ * first: without it these raise IO. In matrix mode RC_MATRIX_PALETTE_OES rcLoadIdentity, rcLoadMatrix* and
+ * rcMultMatrix* act on the current palette matrix. */
+/* Current palette matrix, 0 ... 127; 0 whenever the palette is enabled or disabled. IV. */
+RC_APICALL void RC_APIENTRY rcCurrentPaletteMatrixOES(RCuint index);
+/* Copies the modelview matrix into the current palette matrix, which is zero before anything is loaded. */
+RC_APICALL void RC_APIENTRY rcLoadPaletteFromModelViewMatrixOES(void);
+/* Palette matrices of each vertex: 1 ... 128 RC_UNSIGNED_BYTE or RC_UNSIGNED_INT. IE: type; IV: size, stride. */
+RC_APICALL void RC_APIENTRY rcMatrixIndexPointerOES(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer);
+/* Their weights: 1 ... 128 RC_FLOAT or RC_FIXED. IE: type; IV: size, stride. */
+RC_APICALL void RC_APIENTRY rcWeightPointerOES(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer);
 
 /* ---- Scenes and frames [G 8, 9] ------------------------------------------------------------- */
 
@@ -192,7 +232,7 @@ RC_APICALL void RC_APIENTRY rcSetSPPCount(RCuint count);
 RC_APICALL RCenum RC_APIENTRY rcGetError(void);
 /* RC_LIGHTING, RC_LIGHT0 ... 7, RC_USE_SHADOW, RC_USE_COLOR_SHADOW (frame); RC_TEXTURE_2D(_NORMAL) (bound
  * material); RC_USE_TEXTURE_ONLY, RC_USE_TRANSMITTANCE_SHADOW, RC_USE_TEXTURE_ALPHA_SHADOW (captured by
- * each draw); RC_LARGE_TEXTURES. GL ES 1.1's other caps are accepted without effect. IE: others. */
+ * each draw); RC_MATRIX_PALETTE_OES; RC_LARGE_TEXTURES. GL ES 1.1's other caps are accepted without effect. IE: others. */
 RC_APICALL void RC_APIENTRY rcEnable(RCenum cap);
 RC_APICALL void RC_APIENTRY rcDisable(RCenum cap);
 RC_APICALL RCboolean RC_APIENTRY rcIsEnabled(RCenum cap);

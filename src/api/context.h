@@ -23,10 +23,11 @@ class DrawSurface {
 
 // What contexts of one share group have in common.
 struct SharedObjects {
-  explicit SharedObjects(const Profile &profile) : materials(profile.specularLevel) {}
+  explicit SharedObjects(const Profile &profile) : materials(profile.specularLevel, textures.bind(0)) {}
 
   NameTable<ddk::Texture> textures;
-  MaterialTable materials;
+  NameTable<Buffer> buffers;
+  MaterialTable materials;  // after the textures, of which it needs the first
 };
 
 class Context {

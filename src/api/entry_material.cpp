@@ -90,8 +90,9 @@ void setColor(Context &context, const Vec4 &given) {
 void takeTextureOf(Context &context, const ddk::Material &material) {
   const ddk::TextureUse &use = material.textures[ddk::kColourMap];
   TextureBinding &binding = context.state.texture.bound[ddk::kColourMap];
-  binding.name = use.texture ? use.name : 0;
-  binding.texture = use.texture ? use.texture : context.objects().textures.bind(0);
+  binding.texture = use.texture;
+  // A deleted texture lives on in its materials, without a name.
+  binding.name = context.objects().textures.find(use.name) == use.texture ? use.name : 0;
   context.state.texture.last = ddk::kColourMap;
 }
 

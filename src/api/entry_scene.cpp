@@ -31,6 +31,7 @@ void rcStaticSceneBegin(void) {
 
 void rcStaticSceneEnd(void) {
   enter("rcStaticSceneEnd", [](Context &context) {
+    if (!context.scene.inStaticScene()) return;
     context.scene.endStatic(context.driver().accelKind(), context.driver().workers());
     context.resetMatrices();
     context.touch();

@@ -2,48 +2,15 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // Entry points: enables, hints, errors, strings. [spec 3.8; reference 4.3, 4.6]
-#include <algorithm>
-
 #include "RC/rc.h"
 #include "api/arrays.h"
+#include "api/caps.h"
 #include "api/guard.h"
 
 using namespace rc;
 using namespace rc::api;
 
 namespace {
-
-// Caps of GL ES 1.1 that mean nothing to rays: accepted, and always reported off. [reference 4.3]
-constexpr RCenum kInertCaps[] = {RC_ALPHA_TEST,
-                                 RC_BLEND,
-                                 RC_COLOR_LOGIC_OP,
-                                 RC_CLIP_PLANE0,
-                                 RC_CLIP_PLANE1,
-                                 RC_CLIP_PLANE2,
-                                 RC_CLIP_PLANE3,
-                                 RC_CLIP_PLANE4,
-                                 RC_CLIP_PLANE5,
-                                 RC_COLOR_MATERIAL,
-                                 RC_CULL_FACE,
-                                 RC_DEPTH_TEST,
-                                 RC_DITHER,
-                                 RC_FOG,
-                                 RC_LINE_SMOOTH,
-                                 RC_MULTISAMPLE,
-                                 RC_NORMALIZE,
-                                 RC_POINT_SMOOTH,
-                                 RC_POINT_SPRITE_OES,
-                                 RC_POLYGON_OFFSET_FILL,
-                                 RC_RESCALE_NORMAL,
-                                 RC_SAMPLE_ALPHA_TO_COVERAGE,
-                                 RC_SAMPLE_ALPHA_TO_ONE,
-                                 RC_SAMPLE_COVERAGE,
-                                 RC_SCISSOR_TEST,
-                                 RC_STENCIL_TEST};
-
-bool isInert(RCenum cap) {
-  return std::find(std::begin(kInertCaps), std::end(kInertCaps), cap) != std::end(kInertCaps);
-}
 
 // The switch of a cap that acts, or null.
 bool *findSwitch(Context &context, RCenum cap) {
@@ -67,6 +34,8 @@ bool *findSwitch(Context &context, RCenum cap) {
       return &state.shadow.textureAlpha;
     case RC_USE_TEXTURE_ONLY:
       return &state.textureOnly;
+    case RC_MATRIX_PALETTE_OES:
+      return &state.palette.enabled;
     case RC_LARGE_TEXTURES:
       return &state.texture.large;
     default:
@@ -75,9 +44,10 @@ bool *findSwitch(Context &context, RCenum cap) {
 }
 
 void setSwitch(Context &context, RCenum cap, bool on) {
-  if (isInert(cap)) return;
+  if (isInertCap(cap)) return;
   bool *found = findSwitch(context, cap);
   if (!found) return context.fail(RC_INVALID_ENUM, "0x%04X cannot be enabled", cap);
+  if (cap == RC_MATRIX_PALETTE_OES) context.state.palette.current = 0;  // either way [reference 4.3]
   if (*found == on) return;
   *found = on;
   context.touch();
@@ -143,7 +113,7 @@ void rcDisable(RCenum cap) {
 
 RCboolean rcIsEnabled(RCenum cap) {
   return enter("rcIsEnabled", [&](Context &context) -> RCboolean {
-    if (isInert(cap)) return RC_FALSE;
+    if (isInertCap(cap)) return RC_FALSE;
     if (const ClientArray *array = findArray(context.state.arrays, cap)) return array->enabled;
     if (const bool *found = findSwitch(context, cap)) return *found;
     context.fail(RC_INVALID_ENUM, "0x%04X cannot be enabled", cap);

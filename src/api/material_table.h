@@ -14,8 +14,13 @@ namespace rc::api {
 
 class MaterialTable {
  public:
-  explicit MaterialTable(float specularLevel) : mRows(hal::kNamedMaterials), mInUse(hal::kNamedMaterials) {
-    for (ddk::Material &row : mRows) row.specularLevel = specularLevel;
+  // texture0: the texture object of name 0, which every material has until another is bound.
+  MaterialTable(float specularLevel, std::shared_ptr<ddk::Texture> texture0)
+      : mRows(hal::kNamedMaterials), mInUse(hal::kNamedMaterials), mTexture0(std::move(texture0)) {
+    for (ddk::Material &row : mRows) {
+      row.specularLevel = specularLevel;
+      for (ddk::TextureUse &use : row.textures) use.texture = mTexture0;
+    }
     mInUse[0] = true;
   }
 
@@ -56,13 +61,14 @@ class MaterialTable {
     for (ddk::TextureUse &use : mRows[name].textures) {  // only textures in use are copied along
       if (use.enabled) continue;
       use.name = 0;
-      use.texture = nullptr;
+      use.texture = mTexture0;
     }
     mInUse[name] = true;
   }
 
   std::vector<ddk::Material> mRows;
   std::vector<bool> mInUse;
+  std::shared_ptr<ddk::Texture> mTexture0;
   RCuint mBound = 0;
 };
 

@@ -28,6 +28,12 @@ class NameTable {
     return object;
   }
 
+  // Null for names that are not in use.
+  std::shared_ptr<Object> find(RCuint name) const {
+    const auto found = mObjects.find(name);
+    return found == mObjects.end() ? nullptr : found->second;
+  }
+
   void remove(RCuint name) {
     if (name == 0 || mObjects.erase(name) == 0) return;
     if (name < mLowestFree) mLowestFree = name;

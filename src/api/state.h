@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "RC/rctokens.h"
@@ -49,16 +51,40 @@ struct TextureState {
   bool large = false;
 };
 
+// A buffer object: client arrays and indices in memory of ours. [reference 4.7]
+struct Buffer {
+  std::vector<std::byte> bytes;
+  RCenum usage = RC_STATIC_DRAW;
+};
+
+struct BufferBinding {
+  RCuint name = 0;
+  std::shared_ptr<Buffer> buffer;  // null for name 0
+};
+
 struct ClientArray {
   bool enabled = false;
   RCint size;
   RCenum type = RC_FLOAT;
-  RCsizei stride = 0;  // as given; 0 = packed
-  const RCvoid *pointer = nullptr;
+  RCsizei stride = 0;               // as given; 0 = packed
+  const RCvoid *pointer = nullptr;  // an offset in bytes where there is a buffer
+  RCuint bufferName = 0;
+  std::shared_ptr<Buffer> buffer;  // what was bound when the pointer was set
 };
 
 struct ArrayState {
-  ClientArray vertex{.size = 3}, normal{.size = 3}, texCoord{.size = 2};
+  ClientArray vertex{.size = 3}, normal{.size = 3}, texCoord{.size = 2}, color{.size = 4};
+  ClientArray matrixIndex{.size = 1, .type = RC_UNSIGNED_BYTE}, weight{.size = 1};
+  BufferBinding arrayBuffer, elementBuffer;
+};
+
+// The matrix palette, by which vertices follow several bones. [spec 3.6; reference 4.7]
+struct PaletteState {
+  static constexpr RCuint kMatrices = 128;
+
+  bool enabled = false;
+  RCuint current = 0;
+  std::vector<Mat4> matrices = std::vector<Mat4>(kMatrices, Mat4(0));
 };
 
 struct ShadowState {
@@ -85,6 +111,7 @@ struct State {
   LightState light;
   TextureState texture;
   ArrayState arrays;
+  PaletteState palette;
   ShadowState shadow;
   HintState hints;
   PathTracingState pathTracing;

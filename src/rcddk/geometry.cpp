@@ -14,32 +14,51 @@ T load(const std::byte *at) {
   return value;
 }
 
-size_t sizeOf(Component type) { return type == Component::Byte ? 1 : type == Component::Short ? 2 : 4; }
-
-float loadComponent(Component type, const std::byte *at) {
-  switch (type) {
+// The i-th component of an element, as a plain number.
+float component(const ArrayView &array, size_t element, size_t i) {
+  const std::byte *at = array.data + element * array.stride;
+  switch (array.type) {
     case Component::Byte:
-      return load<int8_t>(at);
+      return load<int8_t>(at + i);
+    case Component::UnsignedByte:
+      return load<uint8_t>(at + i);
     case Component::Short:
-      return load<int16_t>(at);
+      return load<int16_t>(at + 2 * i);
+    case Component::UnsignedShort:
+      return load<uint16_t>(at + 2 * i);
+    case Component::UnsignedInt:
+      return static_cast<float>(load<uint32_t>(at + 4 * i));
     case Component::Fixed:
-      return static_cast<float>(load<int32_t>(at)) / 65536;
+      return static_cast<float>(load<int32_t>(at + 4 * i)) / 65536;
     case Component::Float:
       break;
   }
-  return load<float>(at);
+  return load<float>(at + 4 * i);
 }
 
-Vec3 loadVec3(const ArrayView &array, size_t index) {
-  const std::byte *at = array.data + index * array.stride;
-  const size_t step = sizeOf(array.type);
-  return {loadComponent(array.type, at), loadComponent(array.type, at + step),
-          loadComponent(array.type, at + 2 * step)};
+Vec3 loadVec3(const ArrayView &array, size_t element) {
+  return {component(array, element, 0), component(array, element, 1), component(array, element, 2)};
 }
 
-Vec2 loadVec2(const ArrayView &array, size_t index) {
-  const std::byte *at = array.data + index * array.stride;
-  return {loadComponent(array.type, at), loadComponent(array.type, at + sizeOf(array.type))};
+Vec2 loadVec2(const ArrayView &array, size_t element) {
+  return {component(array, element, 0), component(array, element, 1)};
+}
+
+// Integers of colours mean 0 ... 1; signed ones by (2 c + 1) / (2^b - 1), as in GL.
+Rgb loadColor(const ArrayView &array, size_t element) {
+  const Vec3 plain = loadVec3(array, element);
+  switch (array.type) {
+    case Component::Byte:
+      return (2.0f * plain + 1.0f) / 255.0f;
+    case Component::UnsignedByte:
+      return plain / 255.0f;
+    case Component::Short:
+      return (2.0f * plain + 1.0f) / 65535.0f;
+    case Component::UnsignedShort:
+      return plain / 65535.0f;
+    default:
+      return plain;
+  }
 }
 
 size_t loadIndex(const IndexView &indices, size_t i) {
@@ -85,14 +104,37 @@ glm::mat3 normalMatrix(const Mat4 &worldFromObject) {
   return glm::dot(x, cofactors[0]) < 0 ? -cofactors : cofactors;
 }
 
+// The matrix that skins a vertex: the sum of the palette's matrices by weight. [reference 4.7]
+Mat4 blend(const DrawCall &call, size_t element) {
+  Mat4 sum(0);
+  for (size_t k = 0; k < std::min(call.matrixIndices.components, call.weights.components); ++k) {
+    const float index = component(call.matrixIndices, element, k);
+    if (index < static_cast<float>(call.palette.size())) {
+      sum += component(call.weights, element, k) * call.palette[static_cast<size_t>(index)];
+    }
+  }
+  return sum;
+}
+
 class Assembler {
  public:
   Assembler(const DrawCall &call, GeometrySet &set)
-      : mCall(call), mSet(set), mNormalMatrix(normalMatrix(call.worldFromObject)) {}
+      : mCall(call), mSet(set), mNormalMatrix(normalMatrix(call.worldFromObject)) {
+    for (const ArrayView *array : {&call.vertices, &call.normals, &call.texCoords, &call.colors}) {
+      if (array->data) mElements = std::min(mElements, array->elements);
+    }
+    if (call.palette.empty()) return;
+    mElements = std::min({mElements, call.matrixIndices.elements, call.weights.elements});
+  }
 
   void add(size_t i0, size_t i1, size_t i2) {
     const size_t elements[3] = {loadIndex(mCall.indices, i0), loadIndex(mCall.indices, i1),
                                 loadIndex(mCall.indices, i2)};
+    for (const size_t element : elements) {
+      if (element < mElements) continue;
+      ++mSet.skipped;
+      return;
+    }
     hal::HotTriangle triangle{position(elements[0]), position(elements[1]), position(elements[2]),
                               mCall.material,        mCall.flags,           0};
     const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
@@ -104,15 +146,25 @@ class Assembler {
     hal::TriangleAttributes attributes{};
     for (size_t corner = 0; corner < 3; ++corner) {
       if (mCall.texCoords.data) attributes.uv[corner] = texCoord(elements[corner]);
+      if (mCall.colors.data)
+        attributes.color[corner] = glm::clamp(loadColor(mCall.colors, elements[corner]), 0.0f, 1.0f);
     }
+    if (mCall.colors.data) triangle.flags |= hal::kHasColors;
     if (mCall.normals.data && readNormals(elements, edges, attributes)) triangle.flags |= hal::kHasNormals;
     mSet.triangles.push_back(triangle);
     mSet.attributes.push_back(attributes);
   }
 
  private:
+  // The palette acts after the modelview matrix.
   Vec3 position(size_t element) const {
-    return Vec3(mCall.worldFromObject * Vec4(loadVec3(mCall.vertices, element), 1));
+    const Vec4 world = mCall.worldFromObject * Vec4(loadVec3(mCall.vertices, element), 1);
+    return Vec3(mCall.palette.empty() ? world : blend(mCall, element) * world);
+  }
+
+  Vec3 normal(size_t element) const {
+    const Vec3 world = mNormalMatrix * loadVec3(mCall.normals, element);
+    return mCall.palette.empty() ? world : normalMatrix(blend(mCall, element)) * world;
   }
 
   Vec2 texCoord(size_t element) const {
@@ -126,9 +178,9 @@ class Assembler {
     const Vec3 flat = glm::normalize(edges);
     bool usable = false;
     for (size_t corner = 0; corner < 3; ++corner) {
-      const Vec3 normal = mNormalMatrix * loadVec3(mCall.normals, elements[corner]);
-      const bool valid = isFinite(normal) && glm::length(normal) > 0;
-      attributes.normal[corner] = valid ? normalizedOr(normal, flat) : flat;
+      const Vec3 given = normal(elements[corner]);
+      const bool valid = isFinite(given) && glm::length(given) > 0;
+      attributes.normal[corner] = valid ? normalizedOr(given, flat) : flat;
       usable |= valid;
     }
     return usable;
@@ -137,6 +189,7 @@ class Assembler {
   const DrawCall &mCall;
   GeometrySet &mSet;
   glm::mat3 mNormalMatrix;
+  size_t mElements = SIZE_MAX;  // that every array has
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "rcddk/accel/builder.h"
@@ -13,15 +14,17 @@
 
 namespace rc::ddk {
 
-enum class Component { Byte, Short, Float, Fixed };
+enum class Component { Byte, UnsignedByte, Short, UnsignedShort, UnsignedInt, Float, Fixed };
 enum class Primitive { Triangles, Quads, TriangleFan, TriangleStrip };
 enum class IndexType { Sequence, Byte, Short, Int };
 
-// A vertex array in client memory; data is null where the array is off.
+// A vertex array in client memory or in a buffer object; data is null where the array is off.
 struct ArrayView {
   const std::byte *data = nullptr;
   Component type = Component::Float;
-  size_t stride = 0;  // bytes from one element to the next
+  size_t components = 0;       // of an element
+  size_t stride = 0;           // bytes from one element to the next
+  size_t elements = SIZE_MAX;  // that may be read; client memory is trusted
 };
 
 // Which elements of the arrays the vertices of a draw call are.
@@ -35,11 +38,13 @@ struct IndexView {
 struct DrawCall {
   Primitive primitive = Primitive::Triangles;
   IndexView indices;
-  ArrayView vertices, normals, texCoords;
+  ArrayView vertices, normals, texCoords, colors;
+  ArrayView matrixIndices, weights;  // of the palette
+  std::span<const Mat4> palette;     // empty where there is no skinning
   Mat4 worldFromObject{1};
   Mat4 textureMatrix{1};
   uint32_t material = 0;  // as in hal::HotTriangle
-  uint32_t flags = 0;     // hal::TriangleFlag, without kHasNormals
+  uint32_t flags = 0;     // hal::TriangleFlag, without those of the arrays
 };
 
 // The static scene or one frame's dynamic geometry.
@@ -48,7 +53,7 @@ struct GeometrySet {
   std::vector<hal::TriangleAttributes> attributes;
   std::vector<Material> captured;  // of draws without a material object
   Accel accel;
-  size_t skipped = 0;  // degenerate or non-finite triangles
+  size_t skipped = 0;  // triangles that are degenerate, not finite, or beyond the end of a buffer object
   bool filtersShadow = false;
 
   bool empty() const { return triangles.empty(); }

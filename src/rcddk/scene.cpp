@@ -29,7 +29,6 @@ void Scene::beginStatic() {
 }
 
 void Scene::endStatic(AccelKind kind, const Workers &workers) {
-  if (!mInStaticScene) return;
   mInStaticScene = false;
   mStatics.accel = buildAccel(kind, mStatics.triangles, workers);
 }

@@ -19,7 +19,7 @@ class Scene {
 
   // The new static scene replaces the old one at once.
   void beginStatic();
-  // Builds the structure; ignored without a begin.
+  // Builds the structure.
   void endStatic(AccelKind kind, const Workers &workers);
   // A begin whose end is missing: there is no static scene.
   void abandonStatic();

@@ -20,6 +20,7 @@ enum TriangleFlag : uint32_t {
   kTextureOnly = 2,          // RC_USE_TEXTURE_ONLY
   kTransmittanceShadow = 4,  // RC_USE_TRANSMITTANCE_SHADOW
   kAlphaShadow = 8,          // RC_USE_TEXTURE_ALPHA_SHADOW
+  kHasColors = 16,           // TriangleAttributes::color multiplies ambient and diffuse
 };
 inline constexpr uint32_t kFiltersShadow = kTransmittanceShadow | kAlphaShadow;
 
@@ -36,8 +37,9 @@ static_assert(sizeof(HotTriangle) == 48);
 struct TriangleAttributes {
   Vec3 normal[3];  // 36  unit length, valid with kHasNormals
   Vec2 uv[3];      // 24
+  Rgb color[3];    // 36  valid with kHasColors
 };
-static_assert(sizeof(TriangleAttributes) == 60);
+static_assert(sizeof(TriangleAttributes) == 96);
 
 inline constexpr uint32_t kNamedMaterials = 512;
 inline constexpr int32_t kNoTexture = -1;

@@ -14,6 +14,7 @@ struct SurfacePoint {
   Vec3 flatNormal;  // unit, on the side the ray came from
   Vec3 normal;      // unit, interpolated where there are normals, turned with flatNormal
   Vec2 uv{0};
+  Rgb color{1};      // of the vertices, interpolated
   float safeOffset;  // distance from the surface at which a new ray cannot hit it again
   bool front;        // the ray met the counter-clockwise side
 
@@ -46,6 +47,9 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
     const Vec3 sum = w0 * attributes.normal[0] + w1 * attributes.normal[1] + w2 * attributes.normal[2];
     const Vec3 smooth = normalizedOr(sum, point.flatNormal);
     point.normal = glm::dot(smooth, point.flatNormal) < 0 ? -smooth : smooth;
+  }
+  if (triangle.flags & kHasColors) {
+    point.color = w0 * attributes.color[0] + w1 * attributes.color[1] + w2 * attributes.color[2];
   }
   point.uv = w0 * attributes.uv[0] + w1 * attributes.uv[1] + w2 * attributes.uv[2];
   return point;

@@ -74,8 +74,9 @@ class Shader {
 
   void shadeLocal(const Rgb &weight) {
     if (maxComponent(weight) <= 0) return;
-    const SurfaceColours colours{mTextured ? mTexel : mMaterial->ambient, mTextured ? mTexel : mMaterial->diffuse,
-                                 mMaterial->specular, mMaterial->shininess};
+    const SurfaceColours colours{mPoint.color * (mTextured ? mTexel : mMaterial->ambient),
+                                 mPoint.color * (mTextured ? mTexel : mMaterial->diffuse), mMaterial->specular,
+                                 mMaterial->shininess};
     add(weight * mMaterial->emission);
     for (const LightRow &light : mScene.lights) {
       const LightTerm term = lightAt(light, mPoint, mView, colours);

@@ -27,6 +27,9 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
   return share;
 }
 
+// Hits closer together than this share of the distance are one.
+inline constexpr float kSameSurface = 0x1p-21f;
+
 inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   // A light that lies on a surface is not hidden by it.
   const float end = distance * (1 - 1e-5f);
@@ -34,15 +37,21 @@ inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   Rgb share{1};
   if (!scene.filtersShadow()) return share;
   HitOrder last;
+  uint32_t lastMaterial = kNoPrimitive;
   for (;;) {
     const Hit hit = nextHit(scene, ray, last, end);
     if (!hit.found()) return share;
     const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
     const bool dynamic = hit.primitive >= firstDynamic;
-    share *=
-        shadowFilter(scene, scene.geometry[dynamic], hit.primitive - (dynamic ? firstDynamic : 0), hit, ray.direction);
+    const GeometryView &geometry = scene.geometry[dynamic];
+    const uint32_t index = hit.primitive - (dynamic ? firstDynamic : 0);
+    // Through the common edge of two triangles of one surface: that surface counts once.
+    const uint32_t material = geometry.triangles[index].material;
+    const bool sameSurface = material == lastMaterial && hit.t - last.t <= hit.t * kSameSurface;
+    if (!sameSurface) share *= shadowFilter(scene, geometry, index, hit, ray.direction);
     if (maxComponent(share) <= 0) return Rgb(0);
     last = {hit.t, hit.primitive};
+    lastMaterial = material;
   }
 }
 

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The raycore authors
+#
+# Compares what LIBRARY exports with the names in the entry_points.inc files under SOURCES. NM: the program nm.
+execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE output RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${NM} cannot read ${LIBRARY}")
+endif()
+string(REGEX MATCHALL "[^ \n]+\n" exported "${output}")
+list(TRANSFORM exported STRIP)
+list(TRANSFORM exported REPLACE "@.*" "")
+
+set(expected "")
+foreach(layer api egl)
+  file(STRINGS ${SOURCES}/${layer}/entry_points.inc lines REGEX "^RC_ENTRY")
+  list(TRANSFORM lines REPLACE "^RC_ENTRY.([A-Za-z0-9_]+).*" "\\1")
+  list(APPEND expected ${lines})
+endforeach()
+
+set(missing ${expected})
+set(surplus ${exported})
+list(REMOVE_ITEM missing ${exported})
+list(REMOVE_ITEM surplus ${expected})
+list(LENGTH expected count)
+if(count LESS 50 OR missing OR surplus)
+  message(FATAL_ERROR "${count} names expected; missing: ${missing}; surplus: ${surplus}")
+endif()
+message(STATUS "${count} symbols, as they should be")
