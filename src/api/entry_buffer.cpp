@@ -13,6 +13,9 @@ using namespace rc::api;
 
 namespace {
 
+// More memory than any machine has: not worth asking for.
+constexpr RCsizeiptr kLargestBuffer = RCsizeiptr{1} << 40;
+
 // The binding of a target, or an error and null.
 BufferBinding *findBinding(Context &context, RCenum target) {
   if (target == RC_ARRAY_BUFFER) return &context.state.arrays.arrayBuffer;
@@ -87,6 +90,7 @@ void rcBufferData(RCenum target, RCsizeiptr size, const RCvoid *data, RCenum usa
     if (size < 0) return context.fail(RC_INVALID_VALUE, "size is %ld", size);
     Buffer *buffer = findBound(context, *binding);
     if (!buffer) return;
+    if (size > kLargestBuffer) return context.fail(RC_OUT_OF_MEMORY, "%ld bytes are more than there can be", size);
     std::vector<std::byte> bytes(static_cast<size_t>(size));
     if (data && size > 0) std::memcpy(bytes.data(), data, bytes.size());
     buffer->bytes = std::move(bytes);
