@@ -2,49 +2,19 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // Chapter 2.5 a: a frustum from an angle and the proportions of the window: nothing is distorted.
-#include "RCFramework.h"
+#include "common/triangle_program.h"
 
-class Tutorial : public RCFramework {
+class Tutorial : public TriangleProgram {
  public:
-  Tutorial() : RCFramework("Chapter 2.5 a: perspective", 800, 480) {}
+  Tutorial() : TriangleProgram("Chapter 2.5 a: perspective") {}
 
  protected:
-  BOOL OnIntialize() override {
-    rcSceneAllInit();
-    rcClearColor(0.73f, 0.2f, 0.23f, 1.0f);
-    rcViewport(0, 0, Width(), Height());
+  void setCamera() override {
     rcuPerspective(60.0f, 800.0f / 480.0f, 0.1f, 100.0f);
     rcuLookAt(0, 0, 1, 0, 0, 0, 0, 1, 0);
-    drawStaticScene();
-    return TRUE;
   }
 
-  BOOL OnDraw() override {
-    ++m_Frame;
-    return !(IsTestMode() && m_Frame > 3);
-  }
-
- private:
-  // One yellow triangle. It never moves, so it is static: its structure is built once.
-  void drawStaticScene() {
-    static const float vertices[] = {0, 1, 0, -1, -1, 0, 1, -1, 0};
-    static const RCubyte indices[] = {0, 1, 2};
-    static const float yellow[] = {1, 1, 0};
-
-    rcStaticSceneBegin();
-    rcMatrixMode(RC_MODELVIEW);
-    rcLoadIdentity();
-    rcTranslatef(0, 0, -3);
-    rcEnableClientState(RC_VERTEX_ARRAY);
-    rcVertexPointer(3, RC_FLOAT, 0, vertices);
-    rcBindMaterial(1);
-    rcMaterialfv(RC_FRONT_AND_BACK, RC_AMBIENT_AND_DIFFUSE, yellow);
-    rcDrawElements(RC_TRIANGLE_FAN, 3, RC_UNSIGNED_BYTE, indices);
-    rcDisableClientState(RC_VERTEX_ARRAY);
-    rcStaticSceneEnd();
-  }
-
-  int m_Frame = 0;
+  void placeTriangle() override { rcTranslatef(0, 0, -3); }
 };
 
 Tutorial g_Tutorial;
