@@ -78,7 +78,7 @@ class Tutorial : public RCFramework {
 
   void drawCube() const {
     static const float corners[] = {-1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1, -1, -1, -1, -1, 1, -1, 1, 1, -1, 1, -1, -1};
-    static const float cornerTexCoords[] = {0, 0, 1, 0, 1, 1, 0, 1, 1, 0, 1, 1, 0, 1, 0, 0};
+    static const float cornerTexCoords[] = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 0, 1, 1, 1, 1, 0};
     static const RCubyte quads[] = {0, 1, 2, 3, 4, 5, 6, 7};
     static const float vertices[] = {-1, 1,  -1, -1, 1,  1,  1,  1,  1, 1,  1,  -1,   // top
                                      -1, -1, -1, 1,  -1, -1, 1,  -1, 1, -1, -1, 1,    // bottom
