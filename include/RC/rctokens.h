@@ -9,6 +9,8 @@
 #ifndef RC_RCTOKENS_H
 #define RC_RCTOKENS_H
 
+#include <RC/rclights.h>
+
 /* versions */
 #define RC_VERSION_ES_CM_1_0                          1
 #define RC_VERSION_ES_CL_1_0                          1
