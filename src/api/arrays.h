@@ -127,7 +127,9 @@ inline ddk::ArrayView viewOf(const ClientArray &array) {
   const std::vector<std::byte> &bytes = array.buffer->bytes;
   const auto offset = reinterpret_cast<size_t>(array.pointer);
   const auto element = size_t(elementBytes(array));
-  view.data = bytes.data() + std::min(offset, bytes.size());
+  // An emptied buffer has no address; the array is on all the same.
+  static constexpr std::byte kNothing{};
+  view.data = bytes.empty() ? &kNothing : bytes.data() + std::min(offset, bytes.size());
   view.elements = offset > bytes.size() || bytes.size() - offset < element
                       ? 0
                       : (bytes.size() - offset - element) / view.stride + 1;

@@ -47,6 +47,7 @@ void Context::attach(DrawSurface *surface) {
 }
 
 void Context::finish() {
+  const std::lock_guard lock(mObjects->mutex);
   if (scene.inStaticScene()) {
     scene.abandonStatic();
     touch();

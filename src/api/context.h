@@ -5,6 +5,8 @@
 // EGL makes contexts, gives them a surface, and asks for the picture at a swap; the entry points change them.
 #pragma once
 
+#include <mutex>
+
 #include "api/material_table.h"
 #include "api/name_table.h"
 #include "api/profile.h"
@@ -25,6 +27,8 @@ class DrawSurface {
 struct SharedObjects {
   explicit SharedObjects(const Profile &profile) : materials(profile.specularLevel, textures.bind(0)) {}
 
+  // Held by every call of every context of the group, so that contexts on several threads can share objects.
+  std::recursive_mutex mutex;
   NameTable<ddk::Texture> textures;
   NameTable<Buffer> buffers;
   MaterialTable materials;  // after the textures, of which it needs the first

@@ -24,8 +24,9 @@ auto enter(const char *function, Body &&body) noexcept -> decltype(body(std::dec
     noteMissingContext();
     return Result();
   }
-  context->enterFunction(function);
   try {
+    const std::lock_guard lock(context->objects().mutex);
+    context->enterFunction(function);
     return body(*context);
   } catch (const std::bad_alloc &) {
     context->fail(RC_OUT_OF_MEMORY, "there is not enough memory");

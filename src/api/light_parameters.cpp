@@ -54,8 +54,9 @@ bool validLightValues(const LightParameter &parameter, const float *values) {
 void setLightValues(const LightParameter &parameter, const float *values, const Mat4 &worldFromObject, Light &light) {
   switch (parameter.rule) {
     case Rule::Position:
-      light.position = worldFromObject * Vec4(values[0], values[1], values[2], values[3]);
-      light.position.w = values[3];  // an affine matrix keeps it; no other may make a light directional
+      // Any w but 0 means a point, which the whole matrix moves; w itself is kept as it was given.
+      light.position = worldFromObject * Vec4(values[0], values[1], values[2], values[3] != 0 ? 1.0f : 0.0f);
+      light.position.w = values[3];
       return;
     case Rule::Direction:
       light.spotDirection = Vec3(worldFromObject * Vec4(values[0], values[1], values[2], 0));

@@ -24,10 +24,11 @@ struct Bounds {
   Vec3 size() const { return upper - lower; }
   Vec3 centre() const { return 0.5f * (lower + upper); }
 
-  // Half the surface area; what the surface area heuristic weighs boxes by.
-  float halfArea() const {
+  // Half the surface area; what the surface area heuristic weighs boxes by. In double: the squares of large
+  // coordinates are beyond float.
+  double halfArea() const {
     if (empty()) return 0;
-    const Vec3 s = size();
+    const glm::dvec3 s = glm::dvec3(upper) - glm::dvec3(lower);
     return s.x * s.y + s.y * s.z + s.z * s.x;
   }
 };

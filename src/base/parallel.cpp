@@ -42,7 +42,8 @@ struct Workers::Impl {
   explicit Impl(int threads)
       : allowance(tbb::global_control::max_allowed_parallelism, size_t(threads)), arena(threads) {}
 
-  tbb::global_control allowance;  // lets an arena have more threads than the machine has cores
+  // Lets the arena have more threads than the machine has cores. It holds for the whole process.
+  tbb::global_control allowance;
   tbb::task_arena arena;
 };
 

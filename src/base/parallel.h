@@ -10,7 +10,7 @@
 
 namespace rc {
 
-// A set of threads of our own, so that a program's use of its threads is left alone.
+// A set of threads of our own. Other users of oneTBB in the process share its limit on threads.
 class Workers {
  public:
   // threads: 1 or more; 0 = as many as the machine has.

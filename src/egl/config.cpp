@@ -97,8 +97,13 @@ std::optional<std::vector<const Config *>> matchConfigs(const EGLint *attributes
   std::vector<const Config *> matching;
   for (const Config &config : kConfigs) matching.push_back(&config);
   for (const EGLint *at = attributes; at && *at != EGL_NONE; at += 2) {
+    if (!findAttribute(at[0])) return std::nullopt;
+    if (at[0] != EGL_CONFIG_ID || at[1] == EGL_DONT_CARE) continue;
+    std::erase_if(matching, [&](const Config *config) { return config->id != at[1]; });  // nothing else counts
+    return matching;
+  }
+  for (const EGLint *at = attributes; at && *at != EGL_NONE; at += 2) {
     const AttributeRow *row = findAttribute(at[0]);
-    if (!row) return std::nullopt;
     std::erase_if(matching, [&](const Config *config) { return !satisfies(*row, row->value(*config), at[1]); });
   }
   return matching;

@@ -17,10 +17,18 @@ void checkContextAttributes(const EGLint *attributes) {
   }
 }
 
-// Everything current on the thread is finished.
-EGLBoolean finishCurrent(ThreadState &thread) {
-  if (thread.context) thread.context->api.finish();
-  return EGL_TRUE;
+// Everything current on the thread is finished. A context is current on one thread: no lock is needed, and other
+// threads need not wait until the frame is traced.
+EGLBoolean finishCurrent() noexcept {
+  ThreadState &thread = threadState();
+  thread.error = EGL_SUCCESS;
+  try {
+    if (thread.context) thread.context->api.finish();
+    return EGL_TRUE;
+  } catch (const std::exception &) {
+    thread.error = EGL_BAD_ALLOC;
+    return EGL_FALSE;
+  }
 }
 
 }  // namespace
@@ -122,9 +130,9 @@ EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext context, EGLint name, EGLi
   });
 }
 
-EGLBoolean eglWaitClient(void) { return enter<EGLBoolean>(EGL_FALSE, finishCurrent); }
+EGLBoolean eglWaitClient(void) { return finishCurrent(); }
 
-EGLBoolean eglWaitGL(void) { return enter<EGLBoolean>(EGL_FALSE, finishCurrent); }
+EGLBoolean eglWaitGL(void) { return finishCurrent(); }
 
 EGLBoolean eglWaitNative(EGLint engine) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {

@@ -94,7 +94,10 @@ class X11Platform final : public Platform {
     XSelectInput(display, window, KeyPressMask | StructureNotifyMask);
     XMapWindow(display, window);
     XEvent event;
-    XWindowEvent(display, window, StructureNotifyMask, &event);  // what is put before it is mapped would be lost
+    do {  // what is put before it is mapped would be lost
+      XWindowEvent(display, window, StructureNotifyMask, &event);
+    } while (event.type != MapNotify);
+    XSelectInput(display, window, KeyPressMask);
     XWindowAttributes attributes;
     if (!attributesOf(window, attributes)) return nullptr;
     return std::make_unique<X11Window>(mConnection, window, attributes, true);

@@ -12,19 +12,19 @@ hal::Target Surface::backBuffer() {
       mGone = true;
     }
   }
-  return {mPixels.data(), mSize.width, mSize.height};
+  return picture();
 }
 
 bool Surface::present() {
   if (!mWindow) return true;
-  if (!mGone && mWindow->present({mPixels.data(), mSize.width, mSize.height})) return true;
+  if (!mGone && mWindow->present(picture())) return true;
   mGone = true;
   return false;
 }
 
 void Surface::resize(Size size) {
-  mSize = size;
   mPixels.assign(size_t(size.width) * size_t(size.height), 0xff000000u);
+  mSize = size;
 }
 
 }  // namespace rc::egl

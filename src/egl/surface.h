@@ -29,7 +29,9 @@ class Surface final : public api::DrawSurface {
   bool current = false;  // on some thread
 
   hal::Target backBuffer() override;
-  // Shows the back buffer; false if the window is gone.
+  // What was traced last, at the size it was traced for.
+  hal::Target picture() { return {mPixels.data(), mSize.width, mSize.height}; }
+  // Shows it; false if the window is gone.
   bool present();
   bool closeRequested() { return mWindow && mWindow->closeRequested(); }
 

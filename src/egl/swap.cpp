@@ -14,7 +14,7 @@ bool swapBuffers(RenderContext &context, Surface &surface) {
   context.api.finish();
   const int frame = ++swaps;
   const Settings &settings = rc::settings();
-  if (!settings.capture.empty()) writePicture(captureName(settings.capture, frame), surface.backBuffer());
+  if (!settings.capture.empty()) writePicture(captureName(settings.capture, frame), surface.picture());
   const bool shown = surface.present();
   context.api.endFrame();
   if (frame == settings.frames || surface.closeRequested()) std::exit(EXIT_SUCCESS);

@@ -4,10 +4,14 @@
 
 namespace rc::egl {
 
-ThreadState::~ThreadState() { makeCurrent(EGL_NO_DISPLAY, nullptr, nullptr); }
+ThreadState::~ThreadState() {
+  const std::lock_guard lock(displayMutex());
+  makeCurrent(EGL_NO_DISPLAY, nullptr, nullptr);
+}
 
 void ThreadState::makeCurrent(EGLDisplay newDisplay, std::shared_ptr<RenderContext> newContext,
                               std::shared_ptr<Surface> newDraw) {
+  api::setCurrentContext(nullptr);  // first: what follows may run out of memory
   if (context) {
     context->api.attach(nullptr);
     context->current = false;

@@ -95,7 +95,8 @@ bool X11Image::resize(int width, int height) {
       XCreateImage(mDisplay, mVisual, unsigned(mDepth), ZPixmap, 0, nullptr, unsigned(width), unsigned(height), 32, 0);
   if (!mImage) return false;
   mImage->data = static_cast<char *>(std::malloc(size_t(mImage->bytes_per_line) * size_t(height)));
-  return mImage->data != nullptr;
+  if (!mImage->data) release();
+  return mImage != nullptr;
 }
 
 bool X11Image::makeShared(int width, int height) {

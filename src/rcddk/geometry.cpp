@@ -195,9 +195,17 @@ class Assembler {
 }  // namespace
 
 void appendTriangles(const DrawCall &call, GeometrySet &set) {
-  Assembler assembler(call, set);
-  forEachTriangle(call.primitive, call.indices.count,
-                  [&](size_t i0, size_t i1, size_t i2) { assembler.add(i0, i1, i2); });
+  const size_t before = set.triangles.size(), skipped = set.skipped;
+  try {
+    Assembler assembler(call, set);
+    forEachTriangle(call.primitive, call.indices.count,
+                    [&](size_t i0, size_t i1, size_t i2) { assembler.add(i0, i1, i2); });
+  } catch (...) {  // out of memory: as if nothing had been drawn
+    set.triangles.resize(before);
+    set.attributes.resize(before);
+    set.skipped = skipped;
+    throw;
+  }
   set.filtersShadow |= (call.flags & hal::kFiltersShadow) != 0;
 }
 

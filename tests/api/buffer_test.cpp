@@ -131,6 +131,9 @@ TEST_F(BufferTest, ADeletedOrSmallerBufferDoesNoHarm) {
   rcBufferData(RC_ARRAY_BUFFER, 4, nullptr, RC_STATIC_DRAW);
   rcDrawArrays(RC_TRIANGLES, 0, 3);
   EXPECT_EQ(triangles(), 0);
+  rcBufferData(RC_ARRAY_BUFFER, 0, nullptr, RC_STATIC_DRAW);
+  rcDrawArrays(RC_TRIANGLES, 0, 3);
+  EXPECT_EQ(triangles(), 0);
   rcDeleteBuffers(1, names);
   rcDrawArrays(RC_TRIANGLES, 0, 3);
   EXPECT_EQ(triangles(), 0);

@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <thread>
+#include <vector>
 
 #include "RC/rcu.h"
 
@@ -111,6 +112,9 @@ TEST_F(Egl, ConfigsAreFilteredAndSorted) {
   EXPECT_EQ(value, 16);
   EXPECT_TRUE(eglGetConfigAttrib(mDisplay, found[0], EGL_BUFFER_SIZE, &value));
   EXPECT_EQ(value, 32);
+  const EGLint byId[] = {EGL_CONFIG_ID, 2, EGL_STENCIL_SIZE, 99, EGL_NONE};
+  EXPECT_TRUE(eglChooseConfig(mDisplay, byId, found, 8, &count));
+  EXPECT_EQ(count, 1) << "nothing else counts beside the id";
   const EGLint fullScreen[] = {EGL_SURFACE_TYPE, EGL_PIXMAP_BIT, EGL_NONE};
   EXPECT_TRUE(eglChooseConfig(mDisplay, fullScreen, found, 8, &count));
   EXPECT_EQ(count, 6);
@@ -271,6 +275,28 @@ TEST_F(Egl, SharedContextsSeeEachOthersTextures) {
   EXPECT_TRUE(rcIsTexture(name));
   ASSERT_TRUE(eglMakeCurrent(mDisplay, surface, surface, context()));
   EXPECT_FALSE(rcIsTexture(name));
+}
+
+TEST_F(Egl, SharedObjectsSurviveTwoThreads) {
+  const EGLContext first = context(), second = eglCreateContext(mDisplay, mConfig, first, nullptr);
+  const auto work = [&](EGLContext mine) {
+    const EGLSurface surface = pbuffer();
+    ASSERT_TRUE(eglMakeCurrent(mDisplay, surface, surface, mine));
+    const std::vector<RCubyte> texels(16 * 16 * 3, 100);
+    for (int i = 0; i < 300; ++i) {
+      RCuint names[2];
+      rcGenTextures(2, names);
+      rcBindTexture(RC_TEXTURE_2D, names[0]);
+      rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, 16, 16, 0, RC_RGB, RC_UNSIGNED_BYTE, texels.data());
+      rcDeleteTextures(2, names);
+      if (i % 50 == 0) rcFinish();
+    }
+    EXPECT_EQ(rcGetError(), RCenum(RC_NO_ERROR));
+    eglReleaseThread();
+  };
+  std::thread other([&] { work(second); });
+  work(first);
+  other.join();
 }
 
 TEST_F(Egl, SwapNeedsTheCurrentSurface) {

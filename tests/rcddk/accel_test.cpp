@@ -78,6 +78,29 @@ TEST(Accel, TheTreeDoesNotDependOnTheThreads) {
   }
 }
 
+// Long thin triangles across everything: cutting them must not multiply them without bound.
+TEST(Accel, SliversKeepTheKdTreeSmall) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  Triangles slivers;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 a(unit(random), unit(random), -1), b(unit(random), unit(random), 1);
+    slivers.push_back(triangle(a, b, b + Vec3(1e-3f, 0, 0)));
+  }
+  const ddk::Accel accel = ddk::buildAccel(AccelKind::KdTree, slivers, Workers(2));
+  EXPECT_LE(accel.primitives.size(), 9 * slivers.size());
+}
+
+// Areas beyond float must not make one leaf of everything.
+TEST(Accel, FarGeometryLeavesTheTreeATree) {
+  Triangles far = terrain(40);
+  far.push_back(triangle({3e18f, 0, 0}, {3e18f, 3e18f, 0}, {0, 3e18f, 3e18f}));
+  for (AccelKind kind : {AccelKind::KdTree, AccelKind::Bvh}) {
+    const ddk::Accel accel = ddk::buildAccel(kind, far, Workers(1));
+    EXPECT_GT(accel.kdNodes.size() + accel.bvhNodes.size(), far.size() / 8);
+  }
+}
+
 TEST(Accel, KdLeavesHoldEveryTriangleThatReachesIntoThem) {
   const Triangles triangles = soup(400, 9);
   const ddk::Accel accel = ddk::buildAccel(AccelKind::KdTree, triangles, Workers(2));

@@ -152,6 +152,9 @@ TEST_F(Frame, TotalReflectionTakesTheMirrorDirection) {
   EXPECT_EQ(pixel & 255, 255u);
   EXPECT_EQ(counts.reflected, 1u);
   EXPECT_EQ(counts.refracted, 0u);
+  scene.materials[kPane].reflection = scene.materials[kPane].transmittance = Rgb(0.5f);
+  EXPECT_EQ(createDevice("cpu", 1)->trace(scene.update(), {&pixel, 1, 1}).reflected, 1u) << "one ray for both shares";
+  EXPECT_EQ(pixel & 255, 255u);
 }
 
 class Shadows : public Frame {

@@ -102,21 +102,21 @@ class BvhBuilder {
     return best;
   }
 
-  static void evaluate(const std::array<Bin, kBins> &bins, int axis, float area, Split &best) {
-    std::array<float, kBins> rightCost{};
+  static void evaluate(const std::array<Bin, kBins> &bins, int axis, double area, Split &best) {
+    std::array<double, kBins> rightCost{};
     Bin right;
     for (size_t i = kBins - 1; i > 0; --i) {
       right.box.add(bins[i].box);
       right.count += bins[i].count;
-      rightCost[i] = right.count ? right.box.halfArea() * static_cast<float>(right.count) : -1;
+      rightCost[i] = right.count ? right.box.halfArea() * static_cast<double>(right.count) : -1;
     }
     Bin left;
     for (size_t i = 1; i < kBins; ++i) {
       left.box.add(bins[i - 1].box);
       left.count += bins[i - 1].count;
       if (left.count == 0 || rightCost[i] < 0) continue;
-      const float cost =
-          kNodeCost + (left.box.halfArea() * static_cast<float>(left.count) + rightCost[i]) / std::max(area, 1e-30f);
+      const double tests = left.box.halfArea() * static_cast<double>(left.count) + rightCost[i];
+      const auto cost = static_cast<float>(kNodeCost + tests / std::max(area, 1e-300));
       if (cost < best.cost) best = {axis, static_cast<int>(i), cost};
     }
   }

@@ -16,10 +16,11 @@ using hal::HotTriangle;
 using hal::KdNode8;
 
 constexpr int kBins = 32;
-constexpr float kNodeCost = 1.0f;     // of a step through an inner node, in triangle tests
-constexpr float kEmptyFactor = 0.8f;  // what a split costs that cuts empty space off
-constexpr size_t kLeafSize = 2;       // not worth splitting
-constexpr int kMaxBadSplits = 3;      // on a path: splits that do not pay by themselves may pay below
+constexpr float kNodeCost = 1.0f;      // of a step through an inner node, in triangle tests
+constexpr float kEmptyFactor = 0.8f;   // what a split costs that cuts empty space off
+constexpr size_t kLeafSize = 2;        // not worth splitting
+constexpr size_t kMostDuplicates = 8;  // references that cutting may add, for each triangle
+constexpr int kMaxBadSplits = 3;       // on a path: splits that do not pay by themselves may pay below
 
 struct Split {
   int axis = -1;
@@ -47,7 +48,9 @@ class KdBuilder {
   explicit KdBuilder(std::span<const HotTriangle> triangles) : mTriangles(triangles) {}
 
   // Appends the subtree of the references, which all reach into the cell, to `out`.
-  void build(std::vector<Reference> references, const Bounds &cell, int depthLeft, int badSplits, Subtree &out) const {
+  // budget: how many references may be added by cutting triangles.
+  void build(std::vector<Reference> references, const Bounds &cell, int depthLeft, int badSplits, size_t budget,
+             Subtree &out) const {
     const Split split = depthLeft > 0 && references.size() > kLeafSize ? bestSplit(references, cell) : Split{};
     const auto leafCost = static_cast<float>(references.size());
     if (split.cost > leafCost) ++badSplits;
@@ -57,10 +60,12 @@ class KdBuilder {
     }
     std::vector<Reference> left, right;
     distribute(references, split, left, right);
-    if (left.size() == references.size() && right.size() == references.size()) {  // the plane separates nothing
+    const size_t total = left.size() + right.size(), added = total - std::min(total, references.size());
+    if (added == references.size() || added > budget) {  // the plane separates nothing, or too little for its price
       makeLeaf(references, out);
       return;
     }
+    const size_t leftBudget = (budget - added) * left.size() / total, rightBudget = budget - added - leftBudget;
     const bool parallel = references.size() >= kParallelReferences;
     references = {};
     Bounds leftCell = cell, rightCell = cell;
@@ -71,15 +76,15 @@ class KdBuilder {
     size_t rightIndex = 0;
     if (parallel) {
       Subtree leftTree, rightTree;
-      both([&] { build(std::move(left), leftCell, depthLeft - 1, badSplits, leftTree); },
-           [&] { build(std::move(right), rightCell, depthLeft - 1, badSplits, rightTree); });
+      both([&] { build(std::move(left), leftCell, depthLeft - 1, badSplits, leftBudget, leftTree); },
+           [&] { build(std::move(right), rightCell, depthLeft - 1, badSplits, rightBudget, rightTree); });
       out.append(leftTree);
       rightIndex = out.nodes.size();
       out.append(rightTree);
     } else {
-      build(std::move(left), leftCell, depthLeft - 1, badSplits, out);
+      build(std::move(left), leftCell, depthLeft - 1, badSplits, leftBudget, out);
       rightIndex = out.nodes.size();
-      build(std::move(right), rightCell, depthLeft - 1, badSplits, out);
+      build(std::move(right), rightCell, depthLeft - 1, badSplits, rightBudget, out);
     }
     out.nodes[node] = KdNode8::inner(uint32_t(split.axis), split.position, static_cast<uint32_t>(rightIndex));
   }
@@ -124,9 +129,9 @@ class KdBuilder {
       if (position <= cell.lower[axis] || position >= cell.upper[axis]) continue;
       Bounds leftCell = cell, rightCell = cell;
       leftCell.upper[axis] = rightCell.lower[axis] = position;
-      const float tests =
-          leftCell.halfArea() * static_cast<float>(left) + rightCell.halfArea() * static_cast<float>(right);
-      const float cost = kNodeCost + (left == 0 || right == 0 ? kEmptyFactor : 1) * tests / cell.halfArea();
+      const double tests = leftCell.halfArea() * double(left) + rightCell.halfArea() * double(right);
+      const double factor = left == 0 || right == 0 ? kEmptyFactor : 1;
+      const auto cost = static_cast<float>(kNodeCost + factor * tests / cell.halfArea());
       if (cost < best.cost) best = {axis, position, cost};
     }
   }
@@ -187,7 +192,8 @@ void buildKdTree(std::span<const HotTriangle> triangles, Accel &accel) {
   const int depth =
       std::min(8 + static_cast<int>(1.3f * std::log2(static_cast<float>(references.size()))), hal::kMaxTreeDepth - 2);
   Subtree tree;
-  KdBuilder(triangles).build(std::move(references), accel.bounds, depth, 0, tree);
+  const size_t budget = kMostDuplicates * references.size();
+  KdBuilder(triangles).build(std::move(references), accel.bounds, depth, 0, budget, tree);
   tree.nodes.shrink_to_fit();
   tree.primitives.shrink_to_fit();
   accel.kdNodes = std::move(tree.nodes);

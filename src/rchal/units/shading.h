@@ -52,8 +52,7 @@ class Shader {
     const bool last = mItem.bounces >= mScene.maxBounces;
     shadeLocal(last ? weight : weight * (Rgb(1) - mMaterial->reflection - mMaterial->transmittance));
     if (last) return;
-    reflect(weight * mMaterial->reflection);
-    refract(weight * mMaterial->transmittance);
+    reflectAndRefract(weight * mMaterial->reflection, weight * mMaterial->transmittance);
   }
 
  private:
@@ -112,18 +111,17 @@ class Shader {
   }
 
   // Snell's law, index n against 1 outside; the front side leads in, the back side out. [spec 4]
-  void refract(const Rgb &weight) {
+  // Total reflection sends both shares along the mirror direction, in one ray.
+  void reflectAndRefract(const Rgb &reflected, const Rgb &refracted) {
     const float eta = mPoint.front ? 1 / mMaterial->refractionIndex : mMaterial->refractionIndex;
     const float cosine = -glm::dot(mItem.ray.direction, mPoint.normal);
     const float k = 1 - eta * eta * (1 - cosine * cosine);
-    if (k < 0) {
-      reflect(weight);  // total internal reflection
-      return;
-    }
+    if (k < 0) return reflect(reflected + refracted);
+    reflect(reflected);
     Vec3 bent = eta * mItem.ray.direction + (eta * cosine - std::sqrt(k)) * mPoint.normal;
     const float depth = glm::dot(bent, mPoint.flatNormal);
     if (depth >= 0) bent -= (depth + 1e-3f) * mPoint.flatNormal;
-    if (bounce(weight, bent)) ++mOut.counts.refracted;
+    if (bounce(refracted, bent)) ++mOut.counts.refracted;
   }
 
   bool bounce(const Rgb &weight, const Vec3 &direction) {
