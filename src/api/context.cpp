@@ -30,10 +30,12 @@ void setCurrentContext(Context *context) { tCurrent = context; }
 Context::Context(const Settings &settings, std::shared_ptr<SharedObjects> shared)
     : mProfile(profileNamed(settings.profile)),
       mSamples(settings.samples),
-      mObjects(shared ? std::move(shared) : std::make_shared<SharedObjects>(mProfile)),
+      mObjects(shared ? std::move(shared) : std::make_shared<SharedObjects>()),
       mDriver(settings) {
   state.light.lights.resize(size_t(mProfile.lights));
   state.depthBounce = mProfile.depthBounce;
+  state.material0.specularLevel = mProfile.specularLevel;
+  for (ddk::TextureUse &use : state.material0.textures) use.texture = mObjects->textures.bind(0);
   for (TextureBinding &binding : state.texture.bound) binding.texture = mObjects->textures.bind(0);
 }
 
@@ -56,9 +58,9 @@ void Context::finish() {
   if (!mSurface) return;
   const hal::Target target = mSurface->backBuffer();
   if (target.width != mWidth || target.height != mHeight) touch();
-  if (!mChanged) return;
+  if (mTraced == mObjects->changes) return;
   mLastFrame = mDriver.trace(frameState(target), scene, target);
-  mChanged = false;
+  mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;
   if (!scene.dynamics().empty()) resetMatrices();

@@ -25,13 +25,12 @@ class DrawSurface {
 
 // What contexts of one share group have in common.
 struct SharedObjects {
-  explicit SharedObjects(const Profile &profile) : materials(profile.specularLevel, textures.bind(0)) {}
-
   // Held by every call of every context of the group, so that contexts on several threads can share objects.
   std::recursive_mutex mutex;
   NameTable<ddk::Texture> textures;
   NameTable<Buffer> buffers;
-  MaterialTable materials;  // after the textures, of which it needs the first
+  MaterialTable materials{textures.bind(0)};
+  uint64_t changes = 0;  // counts what any context of the group changed
 };
 
 class Context {
@@ -48,8 +47,17 @@ class Context {
   ddk::Driver &driver() { return mDriver; }
   const ddk::FrameStats &lastFrame() const { return mLastFrame; }
 
-  // The next rcFinish has something to do. Every call that changes what a picture shows says so.
-  void touch() { mChanged = true; }
+  // What rcMaterial* and rcEnable(RC_TEXTURE_2D) change.
+  ddk::Material &boundMaterial() {
+    return state.boundMaterial == 0 ? state.material0 : mObjects->materials[state.boundMaterial];
+  }
+  const ddk::Material &boundMaterial() const {
+    return state.boundMaterial == 0 ? state.material0 : mObjects->materials[state.boundMaterial];
+  }
+
+  // The next rcFinish has something to do, here and in the contexts that share objects. Every call that changes what
+  // a picture shows says so.
+  void touch() { ++mObjects->changes; }
 
   // Where the picture goes from now on; null for none. The first surface sets the viewport.
   void attach(DrawSurface *surface);
@@ -74,7 +82,7 @@ class Context {
   ddk::Driver mDriver;
   DrawSurface *mSurface = nullptr;
   bool mHadSurface = false;
-  bool mChanged = true;
+  uint64_t mTraced = UINT64_MAX;  // SharedObjects::changes when the last picture was traced
   uint64_t mFrame = 0;
   int mWidth = 0, mHeight = 0;  // of the last picture
   ddk::FrameStats mLastFrame;

@@ -94,9 +94,9 @@ uint32_t flagsOf(const State &state) {
 }
 
 // A material object by name; without one, its values of this moment, stored once for equal draws. [spec 3.5]
-uint32_t materialFor(const MaterialTable &materials, ddk::GeometrySet &set) {
-  if (materials.boundName() != 0) return materials.boundName();
-  if (set.captured.empty() || set.captured.back() != materials.bound()) set.captured.push_back(materials.bound());
+uint32_t materialFor(const State &state, ddk::GeometrySet &set) {
+  if (state.boundMaterial != 0) return state.boundMaterial;
+  if (set.captured.empty() || set.captured.back() != state.material0) set.captured.push_back(state.material0);
   return hal::kNamedMaterials + static_cast<uint32_t>(set.captured.size() - 1);
 }
 
@@ -123,7 +123,7 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   addPalette(context.state, call);
   call.worldFromObject = context.state.matrices.modelview.current();
   call.textureMatrix = context.state.matrices.texture.current();
-  call.material = materialFor(context.objects().materials, set);
+  call.material = materialFor(context.state, set);
   call.flags = flagsOf(context.state);
   ddk::appendTriangles(call, set);
   context.touch();

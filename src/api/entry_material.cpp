@@ -28,7 +28,7 @@ const MaterialParameter *find(Context &context, RCenum face, RCenum pname, bool 
 
 // values: three for colours and shares, one for scalars.
 void set(Context &context, const MaterialParameter &parameter, const float *values) {
-  ddk::Material &material = context.objects().materials.bound();
+  ddk::Material &material = context.boundMaterial();
   if (parameter.kind == Kind::Scalar) {
     if (!(values[0] >= 0)) {
       return context.fail(RC_INVALID_VALUE, "%g is below 0 for parameter 0x%04X", values[0], parameter.name);
@@ -69,7 +69,7 @@ template <class Write>
 void get(Context &context, RCenum face, RCenum pname, Write &&write) {
   const MaterialParameter *parameter = find(context, face, pname, true);
   if (!parameter) return;
-  ddk::Material &material = context.objects().materials.bound();
+  ddk::Material &material = context.boundMaterial();
   if (parameter->kind == Kind::Scalar) return write(0, *parameter->scalar(material));
   const Rgb colour = *parameter->colour(material);
   const int channels = parameter->kind == Kind::Share && !context.profile().colouredReflection ? 1 : 3;
@@ -80,15 +80,18 @@ void get(Context &context, RCenum face, RCenum pname, Write &&write) {
 void setColor(Context &context, const Vec4 &given) {
   Vec4 &colour = context.state.currentColor;
   for (int i = 0; i < 4; ++i) colour[i] = clamp01(given[i]);
-  ddk::Material &material = context.objects().materials.bound();
+  ddk::Material &material = context.boundMaterial();
   material.ambient = material.diffuse = Rgb(colour);
   material.specular = Rgb(0);
   context.touch();
 }
 
-// The bound material's colour texture becomes the current texture. [spec 3.5]
-void takeTextureOf(Context &context, const ddk::Material &material) {
-  const ddk::TextureUse &use = material.textures[ddk::kColourMap];
+// A name that is not in use is made; the material's colour texture becomes the current texture. [spec 3.5]
+void bind(Context &context, RCuint name) {
+  MaterialTable &materials = context.objects().materials;
+  if (!materials.contains(name)) materials.make(name, context.boundMaterial());
+  context.state.boundMaterial = name;
+  const ddk::TextureUse &use = context.boundMaterial().textures[ddk::kColourMap];
   TextureBinding &binding = context.state.texture.bound[ddk::kColourMap];
   binding.texture = use.texture;
   // A deleted texture lives on in its materials, without a name.
@@ -105,7 +108,7 @@ void rcGenMaterials(RCsizei n, RCuint *materials) {
     if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
     if (!materials) return;
     for (RCsizei i = 0; i < n; ++i) {
-      const std::optional<RCuint> name = context.objects().materials.generate();
+      const std::optional<RCuint> name = context.objects().materials.generate(context.boundMaterial());
       if (!name) return context.fail(RC_OUT_OF_MEMORY, "all %u material names are in use", hal::kNamedMaterials - 1);
       materials[i] = *name;
     }
@@ -116,21 +119,20 @@ void rcDeleteMaterials(RCsizei n, RCuint *materials) {
   enter("rcDeleteMaterials", [&](Context &context) {
     if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
     if (!materials) return;
-    MaterialTable &table = context.objects().materials;
-    const RCuint before = table.boundName();
-    for (RCsizei i = 0; i < n; ++i) table.remove(materials[i]);
-    if (table.boundName() != before) takeTextureOf(context, table.bound());
+    for (RCsizei i = 0; i < n; ++i) {
+      context.objects().materials.remove(materials[i]);
+      if (materials[i] == context.state.boundMaterial) bind(context, 0);
+    }
   });
 }
 
 void rcBindMaterial(RCuint material) {
   enter("rcBindMaterial", [&](Context &context) {
-    MaterialTable &materials = context.objects().materials;
-    if (!materials.bind(material)) {
+    if (!MaterialTable::canExist(material)) {
       return context.fail(RC_OUT_OF_MEMORY, "%u is above the last material name, %u", material,
                           hal::kNamedMaterials - 1);
     }
-    takeTextureOf(context, materials.bound());
+    bind(context, material);
   });
 }
 

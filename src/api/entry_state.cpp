@@ -21,9 +21,9 @@ bool *findSwitch(Context &context, RCenum cap) {
     case RC_LIGHTING:
       return &state.light.lighting;
     case RC_TEXTURE_2D:
-      return &context.objects().materials.bound().textures[ddk::kColourMap].enabled;
+      return &context.boundMaterial().textures[ddk::kColourMap].enabled;
     case RC_TEXTURE_2D_NORMAL:
-      return &context.objects().materials.bound().textures[ddk::kNormalMap].enabled;
+      return &context.boundMaterial().textures[ddk::kNormalMap].enabled;
     case RC_USE_SHADOW:
       return &state.shadow.shadow;
     case RC_USE_COLOR_SHADOW:

@@ -90,9 +90,8 @@ void setWrap(Context &context, ddk::TextureSlot slot, RCenum pname, RCenum value
   const bool s = pname == RC_TEXTURE_WRAP_S;
   ddk::Texture &texture = *context.state.texture.bound[slot].texture;
   (s ? texture.wrapS : texture.wrapT) = value;
-  MaterialTable &materials = context.objects().materials;
-  if (materials.boundName() != 0) {
-    ddk::TextureUse &use = materials.bound().textures[slot];
+  if (context.state.boundMaterial != 0) {
+    ddk::TextureUse &use = context.boundMaterial().textures[slot];
     (s ? use.wrapS : use.wrapT) = value;
   }
   context.touch();
@@ -130,7 +129,7 @@ void getParameter(Context &context, RCenum target, RCenum pname, Value *params) 
   const auto slot = checkTarget(context, target);
   if (!slot) return;
   const ddk::Texture &texture = *context.state.texture.bound[*slot].texture;
-  const ddk::TextureUse &use = context.objects().materials.bound().textures[*slot];
+  const ddk::TextureUse &use = context.boundMaterial().textures[*slot];
   RCint value = 0;
   switch (pname) {
     case RC_TEXTURE_WRAP_S:
@@ -161,7 +160,7 @@ void bind(Context &context, ddk::TextureSlot slot, RCuint name) {
   const std::shared_ptr<ddk::Texture> texture = context.objects().textures.bind(name);
   context.state.texture.bound[slot] = {name, texture};
   context.state.texture.last = slot;
-  ddk::TextureUse &use = context.objects().materials.bound().textures[slot];
+  ddk::TextureUse &use = context.boundMaterial().textures[slot];
   use.name = name;
   use.texture = texture;
   context.touch();

@@ -61,13 +61,12 @@ constexpr QueryRow kRows[] = {
     // materials and textures
     {RC_CURRENT_COLOR, Kind::Colour, 4, [](const Context &c, double *v) { writeColour(c.state.currentColor, v); }},
     {RC_CURRENT_AMBIENT, Kind::Colour, 4,
-     [](const Context &c, double *v) { writeColour(c.objects().materials.bound().ambient, v); }},
+     [](const Context &c, double *v) { writeColour(c.boundMaterial().ambient, v); }},
     {RC_CURRENT_DIFFUSE, Kind::Colour, 4,
-     [](const Context &c, double *v) { writeColour(c.objects().materials.bound().diffuse, v); }},
+     [](const Context &c, double *v) { writeColour(c.boundMaterial().diffuse, v); }},
     {RC_CURRENT_SPECULAR, Kind::Colour, 4,
-     [](const Context &c, double *v) { writeColour(c.objects().materials.bound().specular, v); }},
-    {RC_MATERIAL_BINDING, Kind::Number, 1,
-     [](const Context &c, double *v) { v[0] = c.objects().materials.boundName(); }},
+     [](const Context &c, double *v) { writeColour(c.boundMaterial().specular, v); }},
+    {RC_MATERIAL_BINDING, Kind::Number, 1, [](const Context &c, double *v) { v[0] = c.state.boundMaterial; }},
     {RC_TEXTURE_BINDING_2D, Kind::Number, 1,
      [](const Context &c, double *v) { v[0] = c.state.texture.bound[ddk::kColourMap].name; }},
     // buffer objects

@@ -115,6 +115,8 @@ struct State {
   ShadowState shadow;
   HintState hints;
   PathTracingState pathTracing;
+  ddk::Material material0;   // the state without a material object
+  RCuint boundMaterial = 0;  // a name of the share group's MaterialTable, or 0
   Vec4 currentColor{1};
   bool textureOnly = false;  // captured by a draw
   int depthBounce = 10;      // the profile's

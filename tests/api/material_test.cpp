@@ -156,7 +156,7 @@ TEST_F(MaterialTest, SharesAreThreeValuesOrOneByProfile) {
       rcMaterialfv(kBoth, pname, one.get());  // nothing may be read beyond
       EXPECT_EQ(materialScalar(pname), 0.75f);
     }
-    EXPECT_EQ(context->objects().materials.bound().reflection, Rgb(0.75f)) << profile;
+    EXPECT_EQ(context->boundMaterial().reflection, Rgb(0.75f)) << profile;
   }
 }
 

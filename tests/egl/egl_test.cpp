@@ -277,6 +277,24 @@ TEST_F(Egl, SharedContextsSeeEachOthersTextures) {
   EXPECT_FALSE(rcIsTexture(name));
 }
 
+TEST_F(Egl, WhatIsBoundBelongsToTheContext) {
+  const EGLSurface surface = pbuffer();
+  const EGLContext first = context(), second = eglCreateContext(mDisplay, mConfig, first, nullptr);
+  ASSERT_TRUE(eglMakeCurrent(mDisplay, surface, surface, first));
+  rcColor4f(0.5f, 0, 0, 1);  // of material 0, which is the context's own
+  rcBindMaterial(1);
+  ASSERT_TRUE(eglMakeCurrent(mDisplay, surface, surface, second));
+  RCint bound = -1, diffuse[4];
+  rcGetIntegerv(RC_MATERIAL_BINDING, &bound);
+  rcGetIntegerv(RC_CURRENT_DIFFUSE, diffuse);
+  EXPECT_EQ(bound, 0);
+  EXPECT_EQ(diffuse[1], 204);
+  EXPECT_TRUE(rcIsMaterial(1)) << "the object itself is shared";
+  rcBindMaterial(1);
+  rcGetIntegerv(RC_CURRENT_DIFFUSE, diffuse);
+  EXPECT_EQ(diffuse[0], 128);
+}
+
 TEST_F(Egl, SharedObjectsSurviveTwoThreads) {
   const EGLContext first = context(), second = eglCreateContext(mDisplay, mConfig, first, nullptr);
   const auto work = [&](EGLContext mine) {
