@@ -40,6 +40,7 @@ Context::Context(const Settings &settings, std::shared_ptr<SharedObjects> shared
 }
 
 void Context::attach(DrawSurface *surface) {
+  const std::lock_guard lock(mObjects->mutex);
   if (surface != mSurface) touch();
   mSurface = surface;
   if (!surface || std::exchange(mHadSurface, true)) return;
@@ -59,7 +60,7 @@ void Context::finish() {
   const hal::Target target = mSurface->backBuffer();
   if (target.width != mWidth || target.height != mHeight) touch();
   if (mTraced == mObjects->changes) return;
-  mLastFrame = mDriver.trace(frameState(target), scene, target);
+  mLastFrame = mDriver.trace(frameState(), scene, target);
   mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;
@@ -76,6 +77,7 @@ void Context::finish() {
 }
 
 void Context::endFrame() {
+  const std::lock_guard lock(mObjects->mutex);
   if (scene.endFrame()) touch();
 }
 
@@ -85,7 +87,7 @@ void Context::resetMatrices() {
   state.matrices.texture.current() = Mat4(1);
 }
 
-ddk::FrameState Context::frameState(const hal::Target &) const {
+ddk::FrameState Context::frameState() const {
   ddk::FrameState frame;
   frame.camera = state.view.camera.view(state.view.width, state.view.height, mProfile.centredFrustum);
   frame.clearColor = Rgb(state.view.clearColor);

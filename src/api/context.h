@@ -74,7 +74,7 @@ class Context {
   void enterFunction(const char *name) { mFunction = name; }
 
  private:
-  ddk::FrameState frameState(const hal::Target &target) const;
+  ddk::FrameState frameState() const;
 
   const Profile &mProfile;
   int mSamples;
