@@ -96,17 +96,8 @@ class Tutorial : public RCFramework {
   }
 
   void drawPlanet() const {
-    rcEnableClientState(RC_VERTEX_ARRAY);
-    rcEnableClientState(RC_NORMAL_ARRAY);
-    rcEnableClientState(RC_TEXTURE_COORD_ARRAY);
-    rcVertexPointer(3, RC_FLOAT, 0, m_Sphere.positions.data());
-    rcNormalPointer(RC_FLOAT, 0, m_Sphere.positions.data());
-    rcTexCoordPointer(2, RC_FLOAT, 0, m_Sphere.texCoords.data());
     rcBindMaterial(m_Materials[0]);
-    rcDrawArrays(RC_TRIANGLES, 0, m_Sphere.vertices());
-    rcDisableClientState(RC_VERTEX_ARRAY);
-    rcDisableClientState(RC_NORMAL_ARRAY);
-    rcDisableClientState(RC_TEXTURE_COORD_ARRAY);
+    m_Sphere.draw();
   }
 
   Sphere m_Sphere;

@@ -111,17 +111,8 @@ class Tutorial : public RCFramework {
     rcTranslatef(0, 0, -7);
     rcRotatef(35, 0, 1, 0);
     rcRotatef(15, 1, 0, 0);
-    rcEnableClientState(RC_VERTEX_ARRAY);
-    rcEnableClientState(RC_NORMAL_ARRAY);
-    rcEnableClientState(RC_TEXTURE_COORD_ARRAY);
-    rcVertexPointer(3, RC_FLOAT, 0, m_Sphere.positions.data());
-    rcNormalPointer(RC_FLOAT, 0, m_Sphere.positions.data());
-    rcTexCoordPointer(2, RC_FLOAT, 0, m_Sphere.texCoords.data());
     rcBindMaterial(m_Materials[kEarth]);
-    rcDrawArrays(RC_TRIANGLES, 0, m_Sphere.vertices());
-    rcDisableClientState(RC_VERTEX_ARRAY);
-    rcDisableClientState(RC_NORMAL_ARRAY);
-    rcDisableClientState(RC_TEXTURE_COORD_ARRAY);
+    m_Sphere.draw();
   }
 
   static constexpr float kLightPosition[4] = {-17.802584f, 0.353599f, 8.770458f, 1};

@@ -148,6 +148,7 @@ class RCFramework : protected WindowPlatform {
   int m_iRendering = 1; /* of RC_DONT_CARE, FASTEST, NICEST, FASTEST_AND_NICEST */
   int m_iThreshold = 0; /* level; -1: none */
   int m_iBounces = 10;
+  unsigned m_uFirstBounces = 10; /* what a new context begins with */
   int m_iSkip = 0; /* exponent of SkipFrame */
   bool m_bMipmap = true;
   bool m_bInitialized = false;

@@ -5,6 +5,8 @@
 // once round from west to east (counter-clockwise seen from above), v from the south pole to the north pole.
 #pragma once
 
+#include <RC/rc.h>
+
 #include <cmath>
 #include <vector>
 
@@ -13,6 +15,20 @@ struct Sphere {
   std::vector<float> texCoords;  // 2 a vertex
 
   int vertices() const { return int(positions.size() / 3); }
+
+  // With normals and texture coordinates, in the bound material.
+  void draw() const {
+    rcEnableClientState(RC_VERTEX_ARRAY);
+    rcEnableClientState(RC_NORMAL_ARRAY);
+    rcEnableClientState(RC_TEXTURE_COORD_ARRAY);
+    rcVertexPointer(3, RC_FLOAT, 0, positions.data());
+    rcNormalPointer(RC_FLOAT, 0, positions.data());
+    rcTexCoordPointer(2, RC_FLOAT, 0, texCoords.data());
+    rcDrawArrays(RC_TRIANGLES, 0, vertices());
+    rcDisableClientState(RC_VERTEX_ARRAY);
+    rcDisableClientState(RC_NORMAL_ARRAY);
+    rcDisableClientState(RC_TEXTURE_COORD_ARRAY);
+  }
 
   Sphere(int around, int upwards) {
     for (int i = 0; i < upwards; ++i) {

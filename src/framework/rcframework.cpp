@@ -70,6 +70,9 @@ BOOL RCFramework::Initialize(int argc, char **argv) {
   if (argc >= 5) m_iRendering = std::clamp(atoi(argv[4]), 0, 3);
   if (!Create(m_sTitle, m_iWidth, m_iHeight)) return Fail("no window could be opened");
   if (!InitializeEgl()) return FALSE;
+  RCint bounces = 0;
+  rcGetIntegerv(RC_DEPTH_BOUNCE, &bounces);  // 10, or 1 in the second generation: the library knows the profile
+  m_uFirstBounces = static_cast<unsigned>(bounces);
   InitializeState();
   m_bInitialized = true;
   m_dSince = seconds();
@@ -101,7 +104,6 @@ BOOL RCFramework::InitializeEgl() {
 
 // What every program finds set; key I brings it back. [reference 6.2]
 void RCFramework::InitializeState() {
-  const char *profile = getenv("RAYCORE_PROFILE");
   rcEnable(RC_LIGHTING);
   rcEnable(RC_USE_SHADOW);
   m_bMipmap = true;
@@ -109,7 +111,7 @@ void RCFramework::InitializeState() {
   m_iThreshold = 0;
   StepThreshold(0);
   StepRendering(0);
-  SetDepthBounce(profile && !strcmp(profile, "mc") ? 1 : 10);
+  SetDepthBounce(m_uFirstBounces);
 }
 
 BOOL RCFramework::DrawScene() {

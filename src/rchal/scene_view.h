@@ -114,6 +114,17 @@ struct SceneView {
   bool filtersShadow() const { return geometry[0].filtersShadow || geometry[1].filtersShadow; }
 };
 
+// A primitive number as a set and a place in it.
+struct PrimitivePlace {
+  const GeometryView &geometry;
+  uint32_t index;
+};
+inline PrimitivePlace placeOf(const SceneView &scene, uint32_t primitive) {
+  const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
+  return primitive < firstDynamic ? PrimitivePlace{scene.geometry[0], primitive}
+                                  : PrimitivePlace{scene.geometry[1], primitive - firstDynamic};
+}
+
 inline const MaterialRow &materialOf(const SceneView &scene, const GeometryView &geometry,
                                      const HotTriangle &triangle) {
   return triangle.material < kNamedMaterials ? scene.materials[triangle.material]

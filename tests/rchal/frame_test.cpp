@@ -35,6 +35,15 @@ class Frame : public testing::Test {
     return {int(pixel & 255), int(pixel >> 8 & 255), int(pixel >> 16 & 255)};
   }
 
+  // A texture of one texel, which must outlive the scene's last frame.
+  static void paintPane(TestScene &scene, const uint32_t &texel) {
+    TextureView texture;
+    texture.levels[0] = &texel;
+    texture.width = texture.height = texture.levelCount = 1;
+    scene.textures = {texture};
+    scene.materials[kPane].texture = 0;
+  }
+
   static LightRow ambientOnly() {
     LightRow light;
     light.ambient = Rgb(1);
@@ -225,11 +234,7 @@ TEST_F(Frame, TransparentTexelsLetTheRayGoStraightOn) {
   addSquare(0, kBehind);
   TestScene scene(mTriangles);
   const uint32_t texel = 0x080000ff;  // red, alpha 8 of 16
-  TextureView texture;
-  texture.levels[0] = &texel;
-  texture.width = texture.height = texture.levelCount = 1;
-  scene.textures = {texture};
-  scene.materials[kPane].texture = 0;
+  paintPane(scene, texel);
   scene.materials[kBehind].ambient = {0, 0.5f, 0};
   scene.view.maxBounces = 0;  // going straight on is no bounce
   const Bytes pixel = trace(scene);
@@ -242,11 +247,7 @@ TEST_F(Frame, AThousandTransparentLayersEnd) {
   for (int i = 0; i < 1000; ++i) addSquare(-0.01f * float(i), kPane);
   TestScene scene(mTriangles);
   const uint32_t texel = 0;
-  TextureView texture;
-  texture.levels[0] = &texel;
-  texture.width = texture.height = texture.levelCount = 1;
-  scene.textures = {texture};
-  scene.materials[kPane].texture = 0;
+  paintPane(scene, texel);
   trace(scene);
   EXPECT_EQ(mCounts.straight, 255u);
 }
@@ -255,11 +256,7 @@ TEST_F(Frame, TextureOnlyIsUnlitAndUnreflected) {
   addSquare(0, kPane, kTextureOnly);
   TestScene scene(mTriangles);
   const uint32_t texel = 0xff4080c0;
-  TextureView texture;
-  texture.levels[0] = &texel;
-  texture.width = texture.height = texture.levelCount = 1;
-  scene.textures = {texture};
-  scene.materials[kPane].texture = 0;
+  paintPane(scene, texel);
   scene.materials[kPane].reflection = Rgb(1);
   LightRow dark = ambientOnly();
   dark.ambient = Rgb(0);

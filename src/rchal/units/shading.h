@@ -30,10 +30,7 @@ class Shader {
         mOut(out),
         mView(-item.ray.direction),
         mConeWidth(item.coneWidth + item.coneSpread * hit.t) {
-    const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
-    const bool dynamic = hit.primitive >= firstDynamic;
-    const GeometryView &geometry = scene.geometry[dynamic];
-    const uint32_t index = hit.primitive - (dynamic ? firstDynamic : 0);
+    const auto [geometry, index] = placeOf(scene, hit.primitive);
     mTriangle = &geometry.triangles[index];
     mMaterial = &materialOf(scene, geometry, *mTriangle);
     mPoint = surfacePoint(geometry, index, hit, item.ray.direction);

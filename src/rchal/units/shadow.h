@@ -41,10 +41,7 @@ inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   for (;;) {
     const Hit hit = nextHit(scene, ray, last, end);
     if (!hit.found()) return share;
-    const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
-    const bool dynamic = hit.primitive >= firstDynamic;
-    const GeometryView &geometry = scene.geometry[dynamic];
-    const uint32_t index = hit.primitive - (dynamic ? firstDynamic : 0);
+    const auto [geometry, index] = placeOf(scene, hit.primitive);
     // Through the common edge of two triangles of one surface: that surface counts once.
     const uint32_t material = geometry.triangles[index].material;
     const bool sameSurface = material == lastMaterial && hit.t - last.t <= hit.t * kSameSurface;
