@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "api/tokens.h"
+#include "api/trace.h"
 
 namespace rc::api {
 namespace {
@@ -21,6 +22,28 @@ float minWeightOf(RCenum hint) {
 // Samples a pixel of RC_RENDERING_HINT.
 constexpr int kNicestSamples = 4;
 bool supersampled(RCenum hint) { return hint == RC_NICEST || hint == RC_FASTEST_AND_NICEST; }
+
+hal::Fog fogOf(const FogState &state) {
+  if (!state.enabled) return {};
+  const hal::FogMode mode = state.mode == RC_LINEAR ? hal::FogMode::Linear
+                            : state.mode == RC_EXP2 ? hal::FogMode::Exp2
+                                                    : hal::FogMode::Exp;
+  return {mode, state.density, state.start, state.end, Rgb(state.color)};
+}
+
+std::optional<hal::PixelRect> scissorOf(const PictureState &picture) {
+  if (!picture.scissorTest) return std::nullopt;
+  return hal::PixelRect{picture.scissorX, picture.scissorY, picture.scissorWidth, picture.scissorHeight};
+}
+
+// Bits of a pixel that may be written.
+uint32_t writeMaskOf(const PictureState &picture) {
+  uint32_t mask = 0;
+  for (size_t channel = 0; channel < picture.colorMask.size(); ++channel) {
+    if (picture.colorMask[channel]) mask |= 0xffu << 8 * channel;
+  }
+  return mask;
+}
 
 }  // namespace
 
@@ -45,8 +68,8 @@ void Context::attach(DrawSurface *surface) {
   mSurface = surface;
   if (!surface || std::exchange(mHadSurface, true)) return;
   const hal::Target target = surface->backBuffer();
-  state.view.width = target.width;
-  state.view.height = target.height;
+  state.view.width = state.picture.scissorWidth = target.width;
+  state.view.height = state.picture.scissorHeight = target.height;
 }
 
 void Context::finish() {
@@ -65,15 +88,13 @@ void Context::finish() {
   mWidth = target.width;
   mHeight = target.height;
   if (!scene.dynamics().empty()) resetMatrices();
-  const ddk::FrameStats &f = mLastFrame;
-  log(LogLevel::Frame,
-      "frame %llu: %d x %d, %zu triangles (%zu static, %zu dynamic, %zu skipped), %llu rays (%llu primary, "
-      "%llu shadow, %llu reflected, %llu refracted), build %.2f ms, trace %.2f ms",
-      static_cast<unsigned long long>(++mFrame), f.width, f.height, f.staticTriangles + f.dynamicTriangles,
-      f.staticTriangles, f.dynamicTriangles, f.skippedTriangles, static_cast<unsigned long long>(f.rays.all()),
-      static_cast<unsigned long long>(f.rays.primary), static_cast<unsigned long long>(f.rays.shadow),
-      static_cast<unsigned long long>(f.rays.reflected), static_cast<unsigned long long>(f.rays.refracted),
-      f.buildMilliseconds, f.traceMilliseconds);
+  reportFrame();
+  ++mFrame;
+}
+
+hal::Target Context::picture() {
+  finish();
+  return mSurface ? mSurface->backBuffer() : hal::Target{};
 }
 
 void Context::endFrame() {
@@ -99,19 +120,38 @@ ddk::FrameState Context::frameState() const {
   frame.colourShadow = state.shadow.colour;
   frame.mipmaps = state.hints.mipmap != RC_NICEST;
   frame.maxBounces = state.depthBounce;
-  frame.samples = supersampled(state.hints.rendering) ? std::max(mSamples, kNicestSamples) : mSamples;
+  frame.samples = samples();
   frame.minWeight = minWeightOf(state.hints.rayBounceThreshold);
+  if (state.light.lighting) frame.globalAmbient = Rgb(state.light.modelAmbient);
+  frame.fog = fogOf(state.fog);
+  frame.scissor = scissorOf(state.picture);
+  frame.writeMask = writeMaskOf(state.picture);
   return frame;
+}
+
+// Those of the process, or as many as a hint asks for.
+int Context::samples() const {
+  const int plain = state.picture.multisample ? mSamples : 1;
+  return supersampled(state.hints.rendering) ? std::max(plain, kNicestSamples) : plain;
+}
+
+void Context::reportFrame() const {
+  if (!logEnabled(LogLevel::Frame) && !tracing()) return;
+  const std::string line = "frame " + std::to_string(frameNumber()) + ": " + describe(mLastFrame);
+  log(LogLevel::Frame, "%s", line.c_str());
+  if (tracing()) traceLine(line);
 }
 
 void Context::fail(RCenum error, const char *reason, ...) {
   if (mError == RC_NO_ERROR) mError = error;
-  if (!logEnabled(LogLevel::Error)) return;
+  mFailure.error = error;
+  if (!logEnabled(LogLevel::Error) && !tracing()) return;
   char text[512];
   va_list arguments;
   va_start(arguments, reason);
   std::vsnprintf(text, sizeof text, reason, arguments);
   va_end(arguments);
+  if (tracing()) mFailure.reason = text;
   log(LogLevel::Error, "%s: %s: %s", mFunction, errorName(error), text);
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <mutex>
+#include <string>
 
 #include "api/material_table.h"
 #include "api/name_table.h"
@@ -31,6 +32,12 @@ struct SharedObjects {
   NameTable<Buffer> buffers;
   MaterialTable materials{textures.bind(0)};
   uint64_t changes = 0;  // counts what any context of the group changed
+};
+
+// The error a call raised, for the tracer.
+struct Failure {
+  RCenum error = RC_NO_ERROR;
+  std::string reason;  // kept while tracing
 };
 
 class Context {
@@ -61,8 +68,12 @@ class Context {
 
   // Where the picture goes from now on; null for none. The first surface sets the viewport.
   void attach(DrawSurface *surface);
+  // Samples a pixel of the next frame.
+  int samples() const;
   // Traces the frame if something changed since the last picture.
   void finish();
+  // The picture as it is after all that was drawn, row by row from the top; no pixels where there is no surface.
+  hal::Target picture();
   // The picture was shown: dynamic geometry ends here.
   void endFrame();
   // Modelview and texture matrix begin anew where the profile says so. [spec 8]
@@ -71,10 +82,19 @@ class Context {
   // Notes the first error and logs every one: "rcFrustum: RC_INVALID_VALUE: zNear is -1, not above 0".
   [[gnu::format(printf, 3, 4)]] void fail(RCenum error, const char *reason, ...);
   RCenum takeError();
-  void enterFunction(const char *name) { mFunction = name; }
+  // A call begins.
+  void enterFunction(const char *name) {
+    mFunction = name;
+    mFailure.error = RC_NO_ERROR;
+  }
+  // What the call in hand, or the last one, raised.
+  const Failure &failure() const { return mFailure; }
+  // The frame that is being made, from 1.
+  uint64_t frameNumber() const { return mFrame + 1; }
 
  private:
   ddk::FrameState frameState() const;
+  void reportFrame() const;
 
   const Profile &mProfile;
   int mSamples;
@@ -87,6 +107,7 @@ class Context {
   int mWidth = 0, mHeight = 0;  // of the last picture
   ddk::FrameStats mLastFrame;
   RCenum mError = RC_NO_ERROR;
+  Failure mFailure;
   const char *mFunction = "";
 };
 

@@ -6,7 +6,9 @@
 
 #include "RC/rc.h"
 #include "api/arrays.h"
+#include "api/convert.h"
 #include "api/guard.h"
+#include "rchal/units/coverage.h"
 
 using namespace rc;
 using namespace rc::api;
@@ -47,8 +49,12 @@ void setPalettePointer(Context &context, RCenum array, RCint size, RCenum type, 
   setPointer(context, array, size, type, stride, pointer);
 }
 
+void setTexCoord(Context &context, RCenum unit, const Vec4 &coordinate) {
+  if (unit != RC_TEXTURE0) return context.fail(RC_INVALID_ENUM, "0x%04X is not RC_TEXTURE0, the only unit", unit);
+  context.state.arrays.currentTexCoord = coordinate;
+}
+
 void setClientState(Context &context, RCenum name, bool enabled) {
-  if (name == RC_POINT_SIZE_ARRAY_OES) return;  // accepted: there are no points
   ClientArray *array = findArray(context.state.arrays, name);
   if (!array) return context.fail(RC_INVALID_ENUM, "0x%04X is no array", name);
   array->enabled = enabled;
@@ -85,13 +91,35 @@ std::optional<ddk::IndexType> indexTypeOf(RCenum type) {
   }
 }
 
+// Tokens of comparisons name their outcomes in their low bits: RC_LEQUAL is RC_NEVER + less + equal.
+uint32_t surfaceFlags(const SurfaceState &surface) {
+  uint32_t flags = 0;
+  if (surface.frontFace == RC_CW) flags |= hal::kClockwiseFront;
+  if (surface.cullFace && surface.cullMode != RC_BACK) flags |= hal::kCullFront;
+  if (surface.cullFace && surface.cullMode != RC_FRONT) flags |= hal::kCullBack;
+  if (surface.alphaTest) flags |= hal::alphaTestFlags(surface.alphaFunc - RC_NEVER, surface.alphaRef);
+  return flags;
+}
+
 uint32_t flagsOf(const State &state) {
   uint32_t flags = 0;
   if (state.textureOnly) flags |= hal::kTextureOnly;
   if (state.shadow.transmittance) flags |= hal::kTransmittanceShadow;
   if (state.shadow.textureAlpha) flags |= hal::kAlphaShadow;
-  return flags;
+  return flags | surfaceFlags(state.surface);
 }
+
+// Planes that are on, without gaps.
+struct ClipPlanes {
+  std::array<Vec4, ClipState::kPlanes> planes;
+  size_t count = 0;
+
+  explicit ClipPlanes(const ClipState &state) {
+    for (size_t i = 0; i < ClipState::kPlanes; ++i) {
+      if (state.enabled[i]) planes[count++] = state.planes[i];
+    }
+  }
+};
 
 // A material object by name; without one, its values of this moment, stored once for equal draws. [spec 3.5]
 uint32_t materialFor(const State &state, ddk::GeometrySet &set) {
@@ -123,8 +151,13 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   addPalette(context.state, call);
   call.worldFromObject = context.state.matrices.modelview.current();
   call.textureMatrix = context.state.matrices.texture.current();
+  call.texCoord = arrays.currentTexCoord;
+  const ClipPlanes clip(context.state.clip);
+  call.clipPlanes = std::span(clip.planes).first(clip.count);
+  call.flatShading = context.state.surface.shadeModel == RC_FLAT;
   call.material = materialFor(context.state, set);
   call.flags = flagsOf(context.state);
+  if (context.boundMaterial().textures[ddk::kNormalMap].enabled) call.flags |= hal::kTangentFrame;
   ddk::appendTriangles(call, set);
   context.touch();
 }
@@ -149,45 +182,72 @@ std::optional<ddk::IndexView> indexView(Context &context, ddk::IndexType type, s
 extern "C" {
 
 void rcEnableClientState(RCenum array) {
-  enter("rcEnableClientState", [&](Context &context) { setClientState(context, array, true); });
+  enter(Call("rcEnableClientState", array), [&](Context &context) { setClientState(context, array, true); });
 }
 
 void rcDisableClientState(RCenum array) {
-  enter("rcDisableClientState", [&](Context &context) { setClientState(context, array, false); });
+  enter(Call("rcDisableClientState", array), [&](Context &context) { setClientState(context, array, false); });
 }
 
 void rcVertexPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcVertexPointer",
+  enter(Call("rcVertexPointer", size, type, stride, pointer),
         [&](Context &context) { setPlainPointer(context, RC_VERTEX_ARRAY, 3, size, type, stride, pointer); });
 }
 
 void rcTexCoordPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcTexCoordPointer",
+  enter(Call("rcTexCoordPointer", size, type, stride, pointer),
         [&](Context &context) { setPlainPointer(context, RC_TEXTURE_COORD_ARRAY, 2, size, type, stride, pointer); });
 }
 
 void rcNormalPointer(RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcNormalPointer",
+  enter(Call("rcNormalPointer", type, stride, pointer),
         [&](Context &context) { setPlainPointer(context, RC_NORMAL_ARRAY, 3, 3, type, stride, pointer); });
 }
 
 void rcColorPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcColorPointer",
+  enter(Call("rcColorPointer", size, type, stride, pointer),
         [&](Context &context) { setPlainPointer(context, RC_COLOR_ARRAY, 4, size, type, stride, pointer); });
 }
 
 void rcMatrixIndexPointerOES(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcMatrixIndexPointerOES",
+  enter(Call("rcMatrixIndexPointerOES", size, type, stride, pointer),
         [&](Context &context) { setPalettePointer(context, RC_MATRIX_INDEX_ARRAY_OES, size, type, stride, pointer); });
 }
 
 void rcWeightPointerOES(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcWeightPointerOES",
+  enter(Call("rcWeightPointerOES", size, type, stride, pointer),
         [&](Context &context) { setPalettePointer(context, RC_WEIGHT_ARRAY_OES, size, type, stride, pointer); });
 }
 
+void rcPointSizePointerOES(RCenum type, RCsizei stride, const RCvoid *pointer) {
+  enter(Call("rcPointSizePointerOES", type, stride, pointer),
+        [&](Context &context) { setPointer(context, RC_POINT_SIZE_ARRAY_OES, 1, type, stride, pointer); });
+}
+
+void rcNormal3f(RCfloat nx, RCfloat ny, RCfloat nz) {
+  enter(Call("rcNormal3f", nx, ny, nz), [&](Context &context) { context.state.arrays.currentNormal = {nx, ny, nz}; });
+}
+
+void rcNormal3x(RCfixed nx, RCfixed ny, RCfixed nz) {
+  enter(Call("rcNormal3x", nx, ny, nz), [&](Context &context) {
+    context.state.arrays.currentNormal = {fromFixed(nx), fromFixed(ny), fromFixed(nz)};
+  });
+}
+
+void rcMultiTexCoord4f(RCenum target, RCfloat s, RCfloat t, RCfloat r, RCfloat q) {
+  enter(Call("rcMultiTexCoord4f", target, s, t, r, q), [&](Context &context) {
+    setTexCoord(context, target, {s, t, r, q});
+  });
+}
+
+void rcMultiTexCoord4x(RCenum target, RCfixed s, RCfixed t, RCfixed r, RCfixed q) {
+  enter(Call("rcMultiTexCoord4x", target, s, t, r, q), [&](Context &context) {
+    setTexCoord(context, target, {fromFixed(s), fromFixed(t), fromFixed(r), fromFixed(q)});
+  });
+}
+
 void rcGetPointerv(RCenum pname, RCvoid **params) {
-  enter("rcGetPointerv", [&](Context &context) {
+  enter(Call("rcGetPointerv", pname, params), [&](Context &context) {
     const ClientArray *array = findArrayByPointer(context.state.arrays, pname);
     if (!array) return context.fail(RC_INVALID_ENUM, "0x%04X is no array pointer", pname);
     if (params) *params = const_cast<RCvoid *>(array->pointer);
@@ -195,7 +255,7 @@ void rcGetPointerv(RCenum pname, RCvoid **params) {
 }
 
 void rcDrawArrays(RCenum mode, RCint first, RCsizei count) {
-  enter("rcDrawArrays", [&](Context &context) {
+  enter(Call("rcDrawArrays", mode, first, count), [&](Context &context) {
     const auto primitive = primitiveOf(mode);
     if (!primitive) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not drawn", mode);
     if (first < 0 || count < 0) return context.fail(RC_INVALID_VALUE, "first is %d, count is %d", first, count);
@@ -204,7 +264,7 @@ void rcDrawArrays(RCenum mode, RCint first, RCsizei count) {
 }
 
 void rcDrawElements(RCenum mode, RCsizei count, RCenum type, const RCvoid *indices) {
-  enter("rcDrawElements", [&](Context &context) {
+  enter(Call("rcDrawElements", mode, count, type, indices), [&](Context &context) {
     const auto primitive = primitiveOf(mode);
     const auto indexType = indexTypeOf(type);
     if (!primitive) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not drawn", mode);

@@ -106,10 +106,12 @@ __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char *name) {
     Function function;
   };
 #define RC_ENTRY(entry) {#entry, reinterpret_cast<Function>(entry)},
+#define RC_FUNCTION(result, name, ...) RC_ENTRY(name)
   static const Row kEntries[] = {
-#include "api/entry_points.inc"
+#include "api/functions.inc"
 #include "egl/entry_points.inc"
   };
+#undef RC_FUNCTION
 #undef RC_ENTRY
   for (const Row &row : kEntries) {
     if (name && !std::strcmp(row.name, name)) return row.function;

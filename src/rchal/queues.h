@@ -35,6 +35,7 @@ struct RayItem {
   Rgb weight{1};         // share of the pixel's colour
   float coneWidth = 0;   // diameter of the footprint at the origin, world units
   float coneSpread = 0;  // growth of it for each unit of distance
+  float travelled = 0;   // way from the eye to the origin
   uint32_t pixel = 0;    // within the tile
   uint8_t bounces = 0;   // reflections and refractions so far
   uint8_t layers = 0;    // transparent texels passed so far
@@ -42,7 +43,7 @@ struct RayItem {
 
 struct RayQueue {
   Vec3Column origin, direction, weight;
-  std::vector<float> coneWidth, coneSpread;
+  std::vector<float> coneWidth, coneSpread, travelled;
   std::vector<uint32_t> pixel;
   std::vector<uint8_t> bounces, layers;
 
@@ -53,12 +54,20 @@ struct RayQueue {
     weight.push(item.weight);
     coneWidth.push_back(item.coneWidth);
     coneSpread.push_back(item.coneSpread);
+    travelled.push_back(item.travelled);
     pixel.push_back(item.pixel);
     bounces.push_back(item.bounces);
     layers.push_back(item.layers);
   }
   RayItem operator[](size_t i) const {
-    return {{origin[i], direction[i]}, weight[i], coneWidth[i], coneSpread[i], pixel[i], bounces[i], layers[i]};
+    return {{origin[i], direction[i]},
+            weight[i],
+            coneWidth[i],
+            coneSpread[i],
+            travelled[i],
+            pixel[i],
+            bounces[i],
+            layers[i]};
   }
   Ray ray(size_t i) const { return {origin[i], direction[i]}; }
   // Keeps the first `size` items.
@@ -68,6 +77,7 @@ struct RayQueue {
     weight.resize(size);
     coneWidth.resize(size);
     coneSpread.resize(size);
+    travelled.resize(size);
     pixel.resize(size);
     bounces.resize(size);
     layers.resize(size);

@@ -6,6 +6,7 @@
 // Next: rchal/frame.h sends the shadow rays to the traversal unit and the others round again.
 #pragma once
 
+#include "rchal/units/coverage.h"
 #include "rchal/units/lighting.h"
 #include "rchal/units/texture.h"
 
@@ -34,13 +35,17 @@ class Shader {
     mTriangle = &geometry.triangles[index];
     mMaterial = &materialOf(scene, geometry, *mTriangle);
     mPoint = surfacePoint(geometry, index, hit, item.ray.direction);
-    if (mMaterial->texture != kNoTexture) readTexel(geometry.attributes[index]);
+    const TriangleAttributes &attributes = geometry.attributes[index];
+    if (mMaterial->texture != kNoTexture) readTexel(attributes);
+    mCoverage = coverage(mTriangle->flags, mPoint.front, mCoverage);
+    if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal(attributes);
   }
 
   void shade() {
-    const bool wholeSurface = mOpacity >= 1 || mItem.layers == kMaxLayers;
+    const bool wholeSurface = mCoverage >= 1 || mItem.layers == kMaxLayers;
     if (!wholeSurface) goStraightOn();
-    const Rgb weight = wholeSurface ? mItem.weight : mItem.weight * mOpacity;
+    const Rgb weight = wholeSurface ? mItem.weight : mItem.weight * mCoverage;
+    if (maxComponent(weight) <= 0) return;
     if (mTextured && mTriangle->flags & kTextureOnly) {
       add(weight * mTexel);
       return;
@@ -57,23 +62,55 @@ class Shader {
 
   void readTexel(const TriangleAttributes &attributes) {
     const TextureView &texture = mScene.textures[size_t(mMaterial->texture)];
+    const Vec4 texel = sample(texture, mMaterial->textureWrap, attributes);
+    mTexel = Rgb(texel);
+    mTexelAlpha = texel.w;
+    mCoverage = opacityOf(texture, texel.w);
+    mTextured = true;
+  }
+
+  Vec4 sample(const TextureView &texture, const Wraps &wraps, const TriangleAttributes &attributes) const {
     float lod = 0;
     if (mScene.mipmaps && texture.levelCount > 1) {
       const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
       lod = levelOfDetail(*mTriangle, attributes, texture, mConeWidth, cosine);
     }
-    const Vec4 texel = sampleTexture(texture, mPoint.uv, mMaterial->wrapS, mMaterial->wrapT, lod);
-    mTexel = Rgb(texel);
-    mOpacity = opacityOf(texture, texel.w);
-    mTextured = true;
+    return sampleTexture(texture, mPoint.uv, wraps, lod);
+  }
+
+  // A normal map holds 2 c - 1 along the tangent, the bitangent and the normal of its triangle.
+  void bendNormal(const TriangleAttributes &attributes) {
+    const TextureView &texture = mScene.textures[size_t(mMaterial->normalMap)];
+    const Vec3 local = 2.0f * Vec3(sample(texture, mMaterial->normalWrap, attributes)) - 1.0f;
+    const Vec3 bent = local.x * attributes.normal[0] + local.y * attributes.normal[1] + local.z * attributes.normal[2];
+    const bool turned = glm::dot(attributes.normal[2], mPoint.flatNormal) < 0;  // the ray came from behind
+    mPoint.normal = normalizedOr(turned ? -bent : bent, mPoint.flatNormal);
+  }
+
+  // What a texel makes of a colour of the material. [OpenGL ES 1.1, 3.7.12]
+  Rgb textured(const Rgb &colour) const {
+    if (!mTextured) return colour;
+    switch (mMaterial->textureEnv) {
+      case TextureEnv::Replace:
+        return mTexel;
+      case TextureEnv::Modulate:
+        return colour * mTexel;
+      case TextureEnv::Decal:
+        return glm::mix(colour, mTexel, mTexelAlpha);
+      case TextureEnv::Blend:
+        return glm::mix(colour, mMaterial->textureEnvColor, mTexel);
+      case TextureEnv::Add:
+        return glm::min(colour + mTexel, 1.0f);
+    }
+    return mTexel;
   }
 
   void shadeLocal(const Rgb &weight) {
     if (maxComponent(weight) <= 0) return;
-    const SurfaceColours colours{mPoint.color * (mTextured ? mTexel : mMaterial->ambient),
-                                 mPoint.color * (mTextured ? mTexel : mMaterial->diffuse), mMaterial->specular,
+    const SurfaceColours colours{mPoint.color * textured(mMaterial->ambient),
+                                 mPoint.color * textured(mMaterial->diffuse), mMaterial->specular,
                                  mMaterial->shininess};
-    add(weight * mMaterial->emission);
+    add(weight * (mMaterial->emission + mScene.globalAmbient * colours.ambient));
     for (const LightRow &light : mScene.lights) {
       const LightTerm term = lightAt(light, mPoint, mView, colours);
       add(weight * term.ambient);
@@ -91,7 +128,7 @@ class Shader {
   void goStraightOn() {
     RayItem next = mItem;
     next.ray.origin = mPoint.start(mItem.ray.direction);
-    next.weight = mItem.weight * (1 - mOpacity);
+    next.weight = mItem.weight * (1 - mCoverage);
     next.coneWidth = mConeWidth;
     ++next.layers;
     mOut.sameBounce.push(next);
@@ -143,7 +180,8 @@ class Shader {
   const MaterialRow *mMaterial;
   SurfacePoint mPoint;
   Rgb mTexel{0};
-  float mOpacity = 1;
+  float mTexelAlpha = 1;
+  float mCoverage = 1;  // share of the surface that is there
   bool mTextured = false;
 };
 

@@ -5,6 +5,7 @@
 // In: SceneView, ShadowItem's ray and distance.  Out: share per channel.  Next: rchal/frame.h adds the colour.
 #pragma once
 
+#include "rchal/units/coverage.h"
 #include "rchal/units/hit_point.h"
 #include "rchal/units/texture.h"
 #include "rchal/units/traversal.h"
@@ -16,15 +17,16 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
                         const Vec3 &direction) {
   const HotTriangle &triangle = geometry.triangles[index];
   const MaterialRow &material = materialOf(scene, geometry, triangle);
-  Rgb share{0};
-  if (triangle.flags & kTransmittanceShadow) share = material.shadowTint;
-  if (triangle.flags & kAlphaShadow && material.texture != kNoTexture) {
+  const SurfacePoint point = surfacePoint(geometry, index, hit, direction);
+  float opacity = 1;
+  if (triangle.flags & (kAlphaShadow | kAlphaTestMask) && material.texture != kNoTexture) {
     const TextureView &texture = scene.textures[size_t(material.texture)];
-    const SurfacePoint point = surfacePoint(geometry, index, hit, direction);
-    const float alpha = sampleTexture(texture, point.uv, material.wrapS, material.wrapT, 0).w;
-    share = glm::mix(Rgb(1), share, opacityOf(texture, alpha));
+    opacity = opacityOf(texture, sampleTexture(texture, point.uv, material.textureWrap, 0).w);
   }
-  return share;
+  const float there = coverage(triangle.flags, point.front, opacity);
+  if (there <= 0) return Rgb(1);
+  const Rgb share = triangle.flags & kTransmittanceShadow ? material.shadowTint : Rgb(0);
+  return triangle.flags & kAlphaShadow ? glm::mix(Rgb(1), share, there) : share;
 }
 
 // Hits closer together than this share of the distance are one.
