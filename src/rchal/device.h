@@ -54,6 +54,14 @@ struct Hit {
 };
 static_assert(sizeof(Hit) == 16);
 
+// A place in the order of hits along a ray.
+struct HitOrder {
+  float t = 0;
+  uint32_t primitive = kNoPrimitive;  // the default lies before every hit at t > 0
+
+  bool operator<(const HitOrder &other) const { return t < other.t || (t == other.t && primitive < other.primitive); }
+};
+
 class Device {
  public:
   virtual ~Device() = default;

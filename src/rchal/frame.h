@@ -17,6 +17,7 @@
 #include "rchal/units/ray_generation.h"
 #include "rchal/units/shading.h"
 #include "rchal/units/shadow.h"
+#include "rchal/units/traversal.h"
 
 namespace rc::hal {
 
@@ -26,7 +27,7 @@ using Tile = PixelRect;  // of the viewport; small enough for the queues of its 
 struct ScalarTraversal {
   static void closestHits(const SceneView &scene, const RayQueue &rays, size_t first, HitQueue &hits) {
     hits.clear();
-    for (size_t i = first; i < rays.size(); ++i) hits.push_back(closestHit(scene, rays.ray(i)));
+    for (size_t i = first; i < rays.size(); ++i) hits.push_back(nextHit(scene, rays.ray(i), rays.after[i], kInfinity));
   }
   static void addVisible(const SceneView &scene, const ShadowQueue &shadows, std::span<Rgb> sum) {
     for (size_t i = 0; i < shadows.size(); ++i) {

@@ -6,7 +6,7 @@
 // In: flags of the triangle, the side that is met, opacity.  Out: 0 ... 1.  Next: units/shading.h, units/shadow.h
 #pragma once
 
-#include "rchal/scene_view.h"
+#include "rchal/device.h"
 
 namespace rc::hal {
 
@@ -36,6 +36,17 @@ inline bool passesAlphaTest(uint32_t flags, float opacity) {
 inline float coverage(uint32_t flags, bool front, float opacity) {
   if (flags & (front ? kCullFront : kCullBack)) return 0;
   return passesAlphaTest(flags, opacity) ? opacity : 0;
+}
+
+// Whether two hits in a row belong to one surface, met at the common edge of two of its triangles: it counts once.
+inline bool isSameSurface(const SceneView &scene, const HitOrder &previous, const Hit &hit) {
+  if (previous.primitive == kNoPrimitive) return false;
+  constexpr float kSameDistance = 0x1p-21f;  // of the distance
+  const auto material = [&](uint32_t primitive) {
+    const PrimitivePlace place = placeOf(scene, primitive);
+    return &materialOf(scene, place.geometry, place.geometry.triangles[place.index]);
+  };
+  return hit.t - previous.t <= hit.t * kSameDistance && material(previous.primitive) == material(hit.primitive);
 }
 
 }  // namespace rc::hal

@@ -29,11 +29,9 @@ inline float fogTransmission(const Fog &fog, float distance) {
 // Takes the item to its hit: what the fog adds on this piece of the way; the rest of the item's weight is for the
 // surface. Pieces multiply to the transmission of the whole way.
 inline Rgb passFog(const Fog &fog, RayItem &item, float t) {
-  const float before = item.travelled;
-  item.travelled += t;
   if (fog.mode == FogMode::Off) return Rgb(0);
-  const float atStart = fogTransmission(fog, before);
-  const float left = atStart > 0 ? fogTransmission(fog, item.travelled) / atStart : 0.0f;
+  const float atStart = fogTransmission(fog, item.travelled + item.after.t);
+  const float left = atStart > 0 ? fogTransmission(fog, item.travelled + t) / atStart : 0.0f;
   const Rgb added = item.weight * (1 - left) * fog.color;
   item.weight *= left;
   return added;

@@ -28,6 +28,7 @@ class Shader {
   Shader(const SceneView &scene, const RayItem &item, const Hit &hit, const Outputs &out)
       : mScene(scene),
         mItem(item),
+        mHit(hit),
         mOut(out),
         mView(-item.ray.direction),
         mConeWidth(item.coneWidth + item.coneSpread * hit.t) {
@@ -38,6 +39,7 @@ class Shader {
     const TriangleAttributes &attributes = geometry.attributes[index];
     if (mMaterial->texture != kNoTexture) readTexel(attributes);
     mCoverage = coverage(mTriangle->flags, mPoint.front, mCoverage);
+    if (item.afterSeen && isSameSurface(scene, item.after, hit)) mCoverage = 0;
     if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal(attributes);
   }
 
@@ -125,11 +127,12 @@ class Shader {
     }
   }
 
+  // The same ray, for what lies behind this hit.
   void goStraightOn() {
     RayItem next = mItem;
-    next.ray.origin = mPoint.start(mItem.ray.direction);
+    next.after = {mHit.t, mHit.primitive};
+    next.afterSeen = mCoverage > 0;
     next.weight = mItem.weight * (1 - mCoverage);
-    next.coneWidth = mConeWidth;
     ++next.layers;
     mOut.sameBounce.push(next);
     ++mOut.counts.straight;
@@ -165,7 +168,10 @@ class Shader {
     next.ray.direction = normalizedOr(direction, mPoint.flatNormal);
     next.ray.origin = mPoint.start(next.ray.direction);
     next.weight = weight;
+    next.after = {};
+    next.afterSeen = false;
     next.coneWidth = mConeWidth;
+    next.travelled += mHit.t;
     ++next.bounces;
     mOut.nextBounce.push(next);
     return true;
@@ -173,6 +179,7 @@ class Shader {
 
   const SceneView &mScene;
   const RayItem &mItem;
+  const Hit &mHit;
   const Outputs &mOut;
   Vec3 mView;
   float mConeWidth;

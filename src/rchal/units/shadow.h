@@ -29,9 +29,6 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
   return triangle.flags & kAlphaShadow ? glm::mix(Rgb(1), share, there) : share;
 }
 
-// Hits closer together than this share of the distance are one.
-inline constexpr float kSameSurface = 0x1p-21f;
-
 inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   // A light that lies on a surface is not hidden by it.
   const float end = distance * (1 - 1e-5f);
@@ -39,18 +36,16 @@ inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   Rgb share{1};
   if (!scene.filtersShadow()) return share;
   HitOrder last;
-  uint32_t lastMaterial = kNoPrimitive;
+  bool filtered = false;  // by the last one
   for (;;) {
     const Hit hit = nextHit(scene, ray, last, end);
     if (!hit.found()) return share;
     const auto [geometry, index] = placeOf(scene, hit.primitive);
-    // Through the common edge of two triangles of one surface: that surface counts once.
-    const uint32_t material = geometry.triangles[index].material;
-    const bool sameSurface = material == lastMaterial && hit.t - last.t <= hit.t * kSameSurface;
-    if (!sameSurface) share *= shadowFilter(scene, geometry, index, hit, ray.direction);
+    const Rgb passing = shadowFilter(scene, geometry, index, hit, ray.direction);
+    if (!filtered || !isSameSurface(scene, last, hit)) share *= passing;
     if (maxComponent(share) <= 0) return Rgb(0);
     last = {hit.t, hit.primitive};
-    lastMaterial = material;
+    filtered = passing != Rgb(1);
   }
 }
 
