@@ -84,6 +84,7 @@ void Context::finish() {
   if (target.width != mWidth || target.height != mHeight) touch();
   if (mTraced == mObjects->changes) return;
   mLastFrame = mDriver.trace(frameState(), scene, target);
+  mLastFrame.emptyDraws = std::exchange(mEmptyDraws, 0);
   mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;

@@ -74,6 +74,8 @@ class Context {
   void finish();
   // The picture as it is after all that was drawn, row by row from the top; no pixels where there is no surface.
   hal::Target picture();
+  // A draw call had no vertex array, or an array without memory: it draws nothing.
+  void noteEmptyDraw() { ++mEmptyDraws; }
   // The picture was shown: dynamic geometry ends here.
   void endFrame();
   // Modelview and texture matrix begin anew where the profile says so. [spec 8]
@@ -106,6 +108,7 @@ class Context {
   uint64_t mFrame = 0;
   int mWidth = 0, mHeight = 0;  // of the last picture
   ddk::FrameStats mLastFrame;
+  size_t mEmptyDraws = 0;  // since the last picture
   RCenum mError = RC_NO_ERROR;
   Failure mFailure;
   const char *mFunction = "";

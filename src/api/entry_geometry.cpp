@@ -141,7 +141,7 @@ void addPalette(const State &state, ddk::DrawCall &call) {
 
 void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indices) {
   const ArrayState &arrays = context.state.arrays;
-  if (!arrays.vertex.enabled || hasNullPointer(arrays)) return;
+  if (!arrays.vertex.enabled || hasNullPointer(arrays)) return context.noteEmptyDraw();
   ddk::GeometrySet &set = context.scene.target();
   ddk::DrawCall call{.primitive = primitive, .indices = indices};
   call.vertices = viewIfEnabled(arrays.vertex);

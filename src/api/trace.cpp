@@ -3,6 +3,7 @@
 #include "api/trace.h"
 
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <mutex>
@@ -46,10 +47,18 @@ Parameter parameterOf(std::string_view parameters, size_t i) {
   return {one.substr(0, one.find_last_not_of(' ', name - 1) + 1), one.substr(name)};
 }
 
+// The shortest text that gives the same number again, as a float if it is one.
 std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  return text;
+  const auto narrow = static_cast<float>(value);
+  const auto end = double(narrow) == value ? std::to_chars(text, std::end(text), narrow)
+                                           : std::to_chars(text, std::end(text), value);
+  return {text, end.ptr};
+}
+
+// Parameters of type RCint that carry a token, if the value is none of the small numbers they may also be.
+bool carriesToken(std::string_view name, int64_t value) {
+  return (name == "internalformat" || name == "param") && value >= 0x100;
 }
 
 struct Describe {
@@ -57,7 +66,9 @@ struct Describe {
 
   std::string operator()(std::monostate) const { return ""; }
   std::string operator()(int64_t value) const {
-    if (type.starts_with("RCenum")) return tokenName(static_cast<RCenum>(value), name);
+    const auto token = static_cast<RCenum>(value);
+    if (type.starts_with("RCenum")) return name.empty() ? errorName(token) : tokenName(token, name);
+    if (type.starts_with("RCint") && carriesToken(name, value)) return tokenName(token, name);
     if (type.starts_with("RCboolean")) return value ? "RC_TRUE" : "RC_FALSE";
     if (type.starts_with("RCfixed") || type.starts_with("RCclampx")) return number(double(value) / 65536) + "x";
     return std::to_string(value);

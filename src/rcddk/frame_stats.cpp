@@ -35,6 +35,7 @@ std::string describe(const FrameStats &f) {
   std::string text = count(uint64_t(f.width)) + " x " + count(uint64_t(f.height)) + ", ";
   text += count(f.staticTriangles + f.dynamicTriangles) + " triangles (" + count(f.staticTriangles) + " static, " +
           count(f.dynamicTriangles) + " dynamic), " + count(f.skipped.all()) + " skipped" + reasons(f.skipped);
+  if (f.emptyDraws > 0) text += ", " + count(f.emptyDraws) + " draw calls without vertices";
   if (f.skipped.clipped > 0) text += ", " + count(f.skipped.clipped) + " behind clip planes";
   text += f.defaultLight ? ", no light on: the default one" : ", " + count(f.lights) + " lights on";
   text += ", " + count(f.rays.all()) + " rays (" + count(f.rays.primary) + " primary, of which " +

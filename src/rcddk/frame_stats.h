@@ -27,6 +27,7 @@ struct FrameStats {
   int width = 0, height = 0;
   size_t staticTriangles = 0, dynamicTriangles = 0;
   SkippedTriangles skipped;
+  size_t emptyDraws = 0;  // draw calls without a vertex array, or with an array that has no memory
   size_t lights = 0;
   bool defaultLight = false;  // it is the only one
   hal::RayCounts rays;
