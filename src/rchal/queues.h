@@ -36,7 +36,7 @@ struct RayItem {
   bool afterSeen = false;  // something of the last one was
   Rgb weight{1};           // share of the pixel's colour
   float coneWidth = 0;     // diameter of the footprint at the origin, world units
-  float coneSpread = 0;    // growth of it for each unit of distance
+  float coneSpread = 0;    // growth of it for each unit of distance; below 0 it narrows to a focus
   float travelled = 0;     // way from the eye to the origin
   uint32_t pixel = 0;      // within the tile
   uint8_t bounces = 0;     // reflections and refractions so far

@@ -56,16 +56,4 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
   return point;
 }
 
-// Level of detail of a texture where a ray cone meets a triangle.
-// Akenine-Moeller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing", Ray Tracing Gems 20.
-inline float levelOfDetail(const HotTriangle &triangle, const TriangleAttributes &attributes,
-                           const TextureView &texture, float coneWidth, float cosine) {
-  const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
-  const Vec2 du = attributes.uv[1] - attributes.uv[0], dv = attributes.uv[2] - attributes.uv[0];
-  const float texelArea =
-      std::abs(du.x * dv.y - dv.x * du.y) * static_cast<float>(texture.width) * static_cast<float>(texture.height);
-  const float worldArea = glm::length(edges);
-  return 0.5f * std::log2(texelArea / worldArea) + std::log2(coneWidth / std::max(cosine, 1e-3f));
-}
-
 }  // namespace rc::hal

@@ -8,6 +8,7 @@
 
 #include "rchal/units/coverage.h"
 #include "rchal/units/lighting.h"
+#include "rchal/units/ray_cone.h"
 #include "rchal/units/texture.h"
 
 namespace rc::hal {
@@ -31,16 +32,17 @@ class Shader {
         mHit(hit),
         mOut(out),
         mView(-item.ray.direction),
-        mConeWidth(item.coneWidth + item.coneSpread * hit.t) {
+        mConeWidth(std::abs(item.coneWidth + item.coneSpread * hit.t)),
+        mConeSpread(item.coneWidth + item.coneSpread * hit.t < 0 ? -item.coneSpread : item.coneSpread) {
     const auto [geometry, index] = placeOf(scene, hit.primitive);
     mTriangle = &geometry.triangles[index];
     mMaterial = &materialOf(scene, geometry, *mTriangle);
     mPoint = surfacePoint(geometry, index, hit, item.ray.direction);
-    const TriangleAttributes &attributes = geometry.attributes[index];
-    if (mMaterial->texture != kNoTexture) readTexel(attributes);
+    mAttributes = &geometry.attributes[index];
+    if (mMaterial->texture != kNoTexture) readTexel();
     mCoverage = coverage(mTriangle->flags, mPoint.front, mCoverage);
     if (item.afterSeen && isSameSurface(scene, item.after, hit)) mCoverage = 0;
-    if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal(attributes);
+    if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal();
   }
 
   void shade() {
@@ -62,30 +64,31 @@ class Shader {
  private:
   void add(const Rgb &colour) { mOut.sum[mItem.pixel] += colour; }
 
-  void readTexel(const TriangleAttributes &attributes) {
+  void readTexel() {
     const TextureView &texture = mScene.textures[size_t(mMaterial->texture)];
-    const Vec4 texel = sample(texture, mMaterial->textureWrap, attributes);
+    const Vec4 texel = sample(texture, mMaterial->textureWrap);
     mTexel = Rgb(texel);
     mTexelAlpha = texel.w;
     mCoverage = opacityOf(texture, texel.w);
     mTextured = true;
   }
 
-  Vec4 sample(const TextureView &texture, const Wraps &wraps, const TriangleAttributes &attributes) const {
+  Vec4 sample(const TextureView &texture, const Wraps &wraps) const {
     float lod = 0;
     if (mScene.mipmaps && texture.levelCount > 1) {
       const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
-      lod = levelOfDetail(*mTriangle, attributes, texture, mConeWidth, cosine);
+      lod = levelOfDetail(*mTriangle, *mAttributes, texture, mConeWidth, cosine);
     }
     return sampleTexture(texture, mPoint.uv, wraps, lod);
   }
 
   // A normal map holds 2 c - 1 along the tangent, the bitangent and the normal of its triangle.
-  void bendNormal(const TriangleAttributes &attributes) {
+  void bendNormal() {
     const TextureView &texture = mScene.textures[size_t(mMaterial->normalMap)];
-    const Vec3 local = 2.0f * Vec3(sample(texture, mMaterial->normalWrap, attributes)) - 1.0f;
-    const Vec3 bent = local.x * attributes.normal[0] + local.y * attributes.normal[1] + local.z * attributes.normal[2];
-    const bool turned = glm::dot(attributes.normal[2], mPoint.flatNormal) < 0;  // the ray came from behind
+    const Vec3 local = 2.0f * Vec3(sample(texture, mMaterial->normalWrap)) - 1.0f;
+    const Vec3 bent =
+        local.x * mAttributes->normal[0] + local.y * mAttributes->normal[1] + local.z * mAttributes->normal[2];
+    const bool turned = glm::dot(mAttributes->normal[2], mPoint.flatNormal) < 0;  // the ray came from behind
     mPoint.normal = normalizedOr(turned ? -bent : bent, mPoint.flatNormal);
   }
 
@@ -138,13 +141,23 @@ class Shader {
     ++mOut.counts.straight;
   }
 
+  // Whether a secondary ray of this weight is worth tracing.
+  bool counts(const Rgb &weight) const {
+    const float strongest = maxComponent(weight);
+    return strongest > 0 && strongest >= mScene.minWeight;
+  }
+
+  float curvatureHere() const { return curvature(*mTriangle, *mAttributes, mPoint.flatNormal); }
+
   void reflect(const Rgb &weight) {
+    if (!counts(weight)) return;
     const Vec3 d = mItem.ray.direction;
     Vec3 mirrored = d - 2 * glm::dot(d, mPoint.normal) * mPoint.normal;
     // An interpolated normal can send the ray into the surface: it is then led along it.
     const float height = glm::dot(mirrored, mPoint.flatNormal);
     if (height <= 0) mirrored += (1e-3f - height) * mPoint.flatNormal;
-    if (bounce(weight, mirrored)) ++mOut.counts.reflected;
+    bounce(weight, mirrored, reflectedSpread(mConeSpread, mConeWidth, curvatureHere()));
+    ++mOut.counts.reflected;
   }
 
   // Snell's law, index n against 1 outside; the front side leads in, the back side out. [spec 4]
@@ -155,15 +168,15 @@ class Shader {
     const float k = 1 - eta * eta * (1 - cosine * cosine);
     if (k < 0) return reflect(reflected + refracted);
     reflect(reflected);
+    if (!counts(refracted)) return;
     Vec3 bent = eta * mItem.ray.direction + (eta * cosine - std::sqrt(k)) * mPoint.normal;
     const float depth = glm::dot(bent, mPoint.flatNormal);
     if (depth >= 0) bent -= (depth + 1e-3f) * mPoint.flatNormal;
-    if (bounce(refracted, bent)) ++mOut.counts.refracted;
+    bounce(refracted, bent, refractedSpread(mConeSpread, mConeWidth, curvatureHere(), eta));
+    ++mOut.counts.refracted;
   }
 
-  bool bounce(const Rgb &weight, const Vec3 &direction) {
-    const float strongest = maxComponent(weight);
-    if (strongest <= 0 || strongest < mScene.minWeight) return false;
+  void bounce(const Rgb &weight, const Vec3 &direction, float coneSpread) {
     RayItem next = mItem;
     next.ray.direction = normalizedOr(direction, mPoint.flatNormal);
     next.ray.origin = mPoint.start(next.ray.direction);
@@ -171,10 +184,10 @@ class Shader {
     next.after = {};
     next.afterSeen = false;
     next.coneWidth = mConeWidth;
+    next.coneSpread = coneSpread;
     next.travelled += mHit.t;
     ++next.bounces;
     mOut.nextBounce.push(next);
-    return true;
   }
 
   const SceneView &mScene;
@@ -182,8 +195,9 @@ class Shader {
   const Hit &mHit;
   const Outputs &mOut;
   Vec3 mView;
-  float mConeWidth;
+  float mConeWidth, mConeSpread;  // at the hit; behind a focus the cone widens again
   const HotTriangle *mTriangle;
+  const TriangleAttributes *mAttributes;
   const MaterialRow *mMaterial;
   SurfacePoint mPoint;
   Rgb mTexel{0};
