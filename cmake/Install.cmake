@@ -4,6 +4,15 @@ include(CMakePackageConfigHelpers)
 install(TARGETS RayCoreAPI RCFramework EXPORT RayCoreTargets)
 install(CODE "file(CREATE_LINK libRCFramework.a
   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/RCFramework.a\" SYMBOLIC)")
+
+# The guide's link line names the original's inner libraries too. Linkers take these texts for them; no program needs
+# the names when it runs. [G D 1.1; reference 1.1]
+foreach(name RCDDK RCHAL RCDDIArriaV)
+  set(script $<TARGET_FILE_DIR:RayCoreAPI>/lib${name}.so)
+  file(GENERATE OUTPUT ${script} CONTENT "/* GNU ld script: lib${name} is part of libRayCoreAPI */\nINPUT ( AS_NEEDED ( -lRayCoreAPI ) )\n")
+  install(FILES ${script} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endforeach()
+
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
