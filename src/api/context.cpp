@@ -78,6 +78,7 @@ void Context::finish() {
     scene.abandonStatic();
     touch();
     fail(RC_INVALID_OPERATION, "rcStaticSceneBegin without rcStaticSceneEnd; there is no static scene now");
+    if (tracing()) traceLine("frame " + std::to_string(frameNumber()) + ": " + mFailure.reason);
   }
   if (!mSurface) return;
   const hal::Target target = mSurface->backBuffer();
@@ -152,8 +153,12 @@ void Context::fail(RCenum error, const char *reason, ...) {
   va_start(arguments, reason);
   std::vsnprintf(text, sizeof text, reason, arguments);
   va_end(arguments);
-  if (tracing()) mFailure.reason = text;
-  log(LogLevel::Error, "%s: %s: %s", mFunction, errorName(error), text);
+  try {
+    mFailure.reason = withTokenNames(text);
+  } catch (const std::bad_alloc &) {  // the error itself is what counts
+    mFailure.reason.clear();
+  }
+  log(LogLevel::Error, "%s: %s: %s", mFunction, errorName(error), mFailure.reason.c_str());
 }
 
 RCenum Context::takeError() { return std::exchange(mError, RC_NO_ERROR); }

@@ -37,7 +37,7 @@ struct SharedObjects {
 // The error a call raised, for the tracer.
 struct Failure {
   RCenum error = RC_NO_ERROR;
-  std::string reason;  // kept while tracing
+  std::string reason;  // kept while tracing or logging errors
 };
 
 class Context {

@@ -35,6 +35,10 @@ void setParameter(Context &context, const ParameterRow &row, ParameterValues val
   if (row.kind == ParameterRow::Kind::Colour) {
     for (double &value : values) value = double(clamp01(float(value)));
   }
+  const auto isNumber = [](double value) { return std::isfinite(value); };
+  if (!std::all_of(values.begin(), values.end(), isNumber)) {
+    return context.fail(RC_INVALID_VALUE, "a value of parameter 0x%04X is not finite", row.name);
+  }
   const RCenum error = row.check(values);
   if (error != RC_NO_ERROR) return context.fail(error, "%g is not for parameter 0x%04X", values[0], row.name);
   row.set(context, values);

@@ -54,6 +54,17 @@ constexpr QueryRow kRows[] = {
      [](const Context &c, double *v) { v[0] = c.state.arrays.arrayBuffer.name; }},
     {RC_ELEMENT_ARRAY_BUFFER_BINDING, Kind::Number, 1,
      [](const Context &c, double *v) { v[0] = c.state.arrays.elementBuffer.name; }},
+    // hints
+    {RC_MIPMAP_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.mipmap; }},
+    {RC_RENDERING_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.rendering; }},
+    {RC_RAYBOUNCE_THRESHOLD_HINT, Kind::Token, 1,
+     [](const Context &c, double *v) { v[0] = c.state.hints.rayBounceThreshold; }},
+    {RC_FOG_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.fog; }},
+    {RC_GENERATE_MIPMAP_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.generateMipmap; }},
+    {RC_LINE_SMOOTH_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.lineSmooth; }},
+    {RC_PERSPECTIVE_CORRECTION_HINT, Kind::Token, 1,
+     [](const Context &c, double *v) { v[0] = c.state.hints.perspective; }},
+    {RC_POINT_SMOOTH_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.pointSmooth; }},
     // limits
     {RC_MAX_LIGHTS, Kind::Number, 1, [](const Context &c, double *v) { v[0] = c.profile().lights; }},
     {RC_MAX_MATERIALS, Kind::Number, 1, constant<int(hal::kNamedMaterials)>},

@@ -3,6 +3,7 @@
 #include "api/tokens.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <iterator>
 
@@ -46,6 +47,25 @@ std::string tokenName(RCenum value, std::string_view parameter) {
   char text[16];
   std::snprintf(text, sizeof text, "0x%04X", value);
   return text;
+}
+
+std::string withTokenNames(std::string_view text) {
+  constexpr std::string_view kPrefix = "0x";
+  std::string named;
+  for (size_t at = 0; at < text.size();) {
+    const size_t start = std::min(text.find(kPrefix, at), text.size());
+    named += text.substr(at, start - at);
+    at = start;
+    if (start == text.size()) break;
+    RCenum value = 0;
+    const char *digits = text.data() + start + kPrefix.size();
+    const auto [end, error] = std::from_chars(digits, text.data() + text.size(), value, 16);
+    const size_t length = size_t(end - (text.data() + start));
+    const bool isToken = error == std::errc() && value >= std::size(kPrimitives);
+    named += isToken ? tokenName(value, "") : std::string(text.substr(start, length));
+    at = start + length;
+  }
+  return named;
 }
 
 }  // namespace rc::api

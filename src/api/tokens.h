@@ -19,4 +19,7 @@ const char *errorName(RCenum error);
 // name of the parameter that carries the value, says which is meant.
 std::string tokenName(RCenum value, std::string_view parameter);
 
+// The text with its tokens in hexadecimal replaced by their names: "0x1208" becomes "RC_SPOT_CUTOFF".
+std::string withTokenNames(std::string_view text);
+
 }  // namespace rc::api

@@ -95,7 +95,7 @@ class TileTracer {
         mSum[item.pixel] += item.weight * scene.clearColor;
         continue;
       }
-      if (item.bounces == 0 && item.layers == 0) ++mCounts.primaryHits;
+      if (item.bounces == 0 && item.after.primitive == kNoPrimitive) ++mCounts.primaryHits;
       mSum[item.pixel] += passFog(scene.fog, item, mHits[i].t);
       Shader(scene, item, mHits[i], out).shade();
     }

@@ -40,7 +40,6 @@ struct RayItem {
   float travelled = 0;     // way from the eye to the origin
   uint32_t pixel = 0;      // within the tile
   uint8_t bounces = 0;     // reflections and refractions so far
-  uint8_t layers = 0;      // transparent texels passed so far
 };
 
 struct RayQueue {
@@ -49,7 +48,7 @@ struct RayQueue {
   std::vector<uint8_t> afterSeen;
   std::vector<float> coneWidth, coneSpread, travelled;
   std::vector<uint32_t> pixel;
-  std::vector<uint8_t> bounces, layers;
+  std::vector<uint8_t> bounces;
 
   size_t size() const { return pixel.size(); }
   void push(const RayItem &item) {
@@ -63,7 +62,6 @@ struct RayQueue {
     travelled.push_back(item.travelled);
     pixel.push_back(item.pixel);
     bounces.push_back(item.bounces);
-    layers.push_back(item.layers);
   }
   RayItem operator[](size_t i) const {
     return {.ray = {origin[i], direction[i]},
@@ -74,8 +72,7 @@ struct RayQueue {
             .coneSpread = coneSpread[i],
             .travelled = travelled[i],
             .pixel = pixel[i],
-            .bounces = bounces[i],
-            .layers = layers[i]};
+            .bounces = bounces[i]};
   }
   Ray ray(size_t i) const { return {origin[i], direction[i]}; }
   // Keeps the first `size` items.
@@ -90,7 +87,6 @@ struct RayQueue {
     travelled.resize(size);
     pixel.resize(size);
     bounces.resize(size);
-    layers.resize(size);
   }
 };
 

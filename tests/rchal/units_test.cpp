@@ -145,12 +145,12 @@ TEST_F(TextureFilter, CoordinatesThatAreNoNumbersDoNoHarm) {
 
 TEST(Texture, SixteenIsOpaque) {
   TextureView texture;
-  EXPECT_FLOAT_EQ(opacityOf(texture, 0), 0);
-  EXPECT_FLOAT_EQ(opacityOf(texture, 8 / 255.0f), 0.5f);
-  EXPECT_FLOAT_EQ(opacityOf(texture, 16 / 255.0f), 1);
-  EXPECT_FLOAT_EQ(opacityOf(texture, 1), 1);
+  EXPECT_FLOAT_EQ(opacityOf(MaterialRow{}, texture, 0), 0);
+  EXPECT_FLOAT_EQ(opacityOf(MaterialRow{}, texture, 8 / 255.0f), 0.5f);
+  EXPECT_FLOAT_EQ(opacityOf(MaterialRow{}, texture, 16 / 255.0f), 1);
+  EXPECT_FLOAT_EQ(opacityOf(MaterialRow{}, texture, 1), 1);
   texture.opaqueAlpha = 255;
-  EXPECT_NEAR(opacityOf(texture, 128 / 255.0f), 0.502, 0.001);
+  EXPECT_NEAR(opacityOf(MaterialRow{}, texture, 128 / 255.0f), 0.502, 0.001);
 }
 
 SurfacePoint pointAt(const Vec3 &position, const Vec3 &normal) {

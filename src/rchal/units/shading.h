@@ -13,9 +13,6 @@
 
 namespace rc::hal {
 
-// More transparent texels than this in a row count as opaque.
-inline constexpr uint8_t kMaxLayers = 255;
-
 struct Outputs {
   std::span<Rgb> sum;  // by pixel of the tile
   ShadowQueue &shadows;
@@ -46,9 +43,8 @@ class Shader {
   }
 
   void shade() {
-    const bool wholeSurface = mCoverage >= 1 || mItem.layers == kMaxLayers;
-    if (!wholeSurface) goStraightOn();
-    const Rgb weight = wholeSurface ? mItem.weight : mItem.weight * mCoverage;
+    if (mCoverage < 1) goStraightOn();
+    const Rgb weight = mItem.weight * mCoverage;
     if (maxComponent(weight) <= 0) return;
     if (mTextured && mTriangle->flags & kTextureOnly) {
       add(weight * mTexel);
@@ -68,8 +64,8 @@ class Shader {
     const TextureView &texture = mScene.textures[size_t(mMaterial->texture)];
     const Vec4 texel = sample(texture, mMaterial->textureWrap);
     mTexel = Rgb(texel);
-    mTexelAlpha = texel.w;
-    mCoverage = opacityOf(texture, texel.w);
+    mTexelAlpha = texture.hasAlpha ? texel.w : 1;
+    mCoverage = opacityOf(*mMaterial, texture, texel.w);
     mTextured = true;
   }
 
@@ -136,7 +132,6 @@ class Shader {
     next.after = {mHit.t, mHit.primitive};
     next.afterSeen = mCoverage > 0;
     next.weight = mItem.weight * (1 - mCoverage);
-    ++next.layers;
     mOut.sameBounce.push(next);
     ++mOut.counts.straight;
   }

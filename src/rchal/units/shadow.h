@@ -21,7 +21,7 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
   float opacity = 1;
   if (triangle.flags & (kAlphaShadow | kAlphaTestMask) && material.texture != kNoTexture) {
     const TextureView &texture = scene.textures[size_t(material.texture)];
-    opacity = opacityOf(texture, sampleTexture(texture, point.uv, material.textureWrap, 0).w);
+    opacity = opacityOf(material, texture, sampleTexture(texture, point.uv, material.textureWrap, 0).w);
   }
   const float there = coverage(triangle.flags, point.front, opacity);
   if (there <= 0) return Rgb(1);

@@ -58,8 +58,10 @@ inline Vec4 sampleTexture(const TextureView &texture, Vec2 uv, Wraps wraps, floa
   return glm::mix(fine, sampleBilinear(texture, coarse, uv, wraps), level - std::floor(level));
 }
 
-// Share of a texel that is there; the rest lets the ray go straight on. [spec 3.4]
-inline float opacityOf(const TextureView &texture, float alpha) {
+// Share of a texel that is there; the rest lets the ray go straight on. A decal lies on its surface, which is there.
+// [spec 3.4; OpenGL ES 1.1, 3.7.12]
+inline float opacityOf(const MaterialRow &material, const TextureView &texture, float alpha) {
+  if (material.textureEnv == TextureEnv::Decal) return 1;
   return std::min(alpha * 255.0f / texture.opaqueAlpha, 1.0f);
 }
 
