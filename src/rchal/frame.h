@@ -25,9 +25,9 @@ using Tile = PixelRect;  // of the viewport; small enough for the queues of its 
 
 // How a device answers questions to the traversal unit. This one asks the scalar unit, ray by ray.
 struct ScalarTraversal {
-  static void closestHits(const SceneView &scene, const RayQueue &rays, size_t first, HitQueue &hits) {
+  static void closestHits(const SceneView &scene, const RayQueue &rays, HitQueue &hits) {
     hits.clear();
-    for (size_t i = first; i < rays.size(); ++i) hits.push_back(nextHit(scene, rays.ray(i), rays.after[i], kInfinity));
+    for (size_t i = 0; i < rays.size(); ++i) hits.push_back(nextHit(scene, rays.ray(i), rays.after[i], kInfinity));
   }
   static void addVisible(const SceneView &scene, const ShadowQueue &shadows, std::span<Rgb> sum) {
     for (size_t i = 0; i < shadows.size(); ++i) {
@@ -82,15 +82,12 @@ class TileTracer {
 
   // Takes the last rays off the queue.
   void traceBatch(const SceneView &scene, RayQueue &queue, RayQueue &next) {
-    const size_t first = queue.size() - std::min(queue.size(), mBatch);
-    Traversal::closestHits(scene, queue, first, mHits);
-    mItems.clear();
-    for (size_t i = first; i < queue.size(); ++i) mItems.push_back(queue[i]);
-    queue.truncate(first);
+    queue.takeLast(std::min(queue.size(), mBatch), mRays);
+    Traversal::closestHits(scene, mRays, mHits);
 
     const Outputs out{mSum, mShadows, queue, next, mCounts};
-    for (size_t i = 0; i < mItems.size(); ++i) {
-      RayItem &item = mItems[i];
+    for (size_t i = 0; i < mRays.size(); ++i) {
+      RayItem item = mRays[i];
       if (!mHits[i].found()) {
         mSum[item.pixel] += item.weight * scene.clearColor;
         continue;
@@ -105,7 +102,7 @@ class TileTracer {
 
   size_t mBatch;
   std::vector<RayQueue> mQueues;  // by number of bounces
-  std::vector<RayItem> mItems;
+  RayQueue mRays;                 // the batch in hand
   HitQueue mHits;
   ShadowQueue mShadows;
   std::vector<Rgb> mSum, mPicture;  // by pixel of the tile

@@ -5,7 +5,9 @@
 // A queue keeps its memory when it is emptied: after the first tiles of a frame nothing is allocated.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "rchal/device.h"
@@ -75,18 +77,33 @@ struct RayQueue {
             .bounces = bounces[i]};
   }
   Ray ray(size_t i) const { return {origin[i], direction[i]}; }
-  // Keeps the first `size` items.
-  void truncate(size_t size) {
-    origin.resize(size);
-    direction.resize(size);
-    after.resize(size);
-    afterSeen.resize(size);
-    weight.resize(size);
-    coneWidth.resize(size);
-    coneSpread.resize(size);
-    travelled.resize(size);
-    pixel.resize(size);
-    bounces.resize(size);
+  // Moves the last `count` items to `taken`, in their order; what that held is dropped.
+  void takeLast(size_t count, RayQueue &taken) {
+    const size_t first = size() - count;
+    if (first == 0) std::swap(*this, taken);
+    forEachColumn(
+        [&](auto &from, auto &to) {
+          if (first > 0) to.assign(from.begin() + std::ptrdiff_t(first), from.end());
+          from.resize(first);
+        },
+        *this, taken);
+  }
+
+ private:
+  template <class Visit, class... Queues>
+  static void forEachColumn(Visit &&visit, Queues &...queues) {
+    for (auto column : {&Vec3Column::x, &Vec3Column::y, &Vec3Column::z}) {
+      visit(queues.origin.*column...);
+      visit(queues.direction.*column...);
+      visit(queues.weight.*column...);
+    }
+    visit(queues.after...);
+    visit(queues.afterSeen...);
+    visit(queues.coneWidth...);
+    visit(queues.coneSpread...);
+    visit(queues.travelled...);
+    visit(queues.pixel...);
+    visit(queues.bounces...);
   }
 };
 
