@@ -31,6 +31,7 @@ class ErrorTest : public ContextTest {
 
 TEST_F(ErrorTest, OutOfMemory) {
   RCuint names[2] = {7, 7};
+  rcFinish();  // the copy below finds its picture traced
   EXPECT_RAISES(RC_OUT_OF_MEMORY, rcBindBuffer(starved(RC_ARRAY_BUFFER), 9));
   EXPECT_RAISES(RC_OUT_OF_MEMORY, rcBindTexture(starved(RC_TEXTURE_2D), 9));
   EXPECT_RAISES(RC_OUT_OF_MEMORY, rcGenBuffers(starved(2), names));
@@ -54,6 +55,7 @@ TEST_F(ErrorTest, EveryAllocationMayFail) {
     rcCompressedTexImage2D(RC_TEXTURE_2D, 0, RC_PALETTE8_RGB8_OES, 16, 16, 0, 256 * 3 + 256, kTexels);
   });
   expectAllOrNothing("rcBufferData", [] { rcBufferData(RC_ARRAY_BUFFER, 4096, kTexels, RC_STATIC_DRAW); });
+  rcBindBuffer(RC_ARRAY_BUFFER, 0);
   expectAllOrNothing("rcBindMaterial", [] { rcBindMaterial(17); });
   expectAllOrNothing("a draw", [this] { drawQuad({0, 0, 9, 9}); });
 }

@@ -133,7 +133,8 @@ TEST_F(FogTest, LinearFadesBetweenStartAndEnd) {
   const struct {
     float start, end;
     double left;
-  } cases[] = {{0, 128, 0.5}, {32, 96, 0.5}, {64, 128, 1}, {0, 64, 0}, {0, 32, 0}, {48, 112, 0.75}, {128, 0, 0.5}};
+  } cases[] = {{0, 128, 0.5}, {32, 96, 0.5},   {64, 128, 1},  {0, 64, 0},
+               {0, 32, 0},    {48, 112, 0.75}, {128, 0, 0.5}, {-64, 192, 0.5}};
   for (const auto &[start, end, left] : cases) {
     linear(start, end);
     wall();

@@ -89,6 +89,20 @@ TEST(Fog, PiecesOfTheWayMakeTheWhole) {
   }
 }
 
+// At the eye there is fog already, or it thins out: the first piece is as GL's formula has it.
+TEST(Fog, TheFirstPieceIsTheWholeWay) {
+  for (const auto &[start, end] : {std::pair{-40.0f, 40.0f}, {60, 0}}) {
+    const Fog fog{.mode = FogMode::Linear, .start = start, .end = end, .color = Rgb(1)};
+    RayItem item;
+    item.weight = Rgb(1);
+    const float added = passFog(fog, item, 20).x;
+    EXPECT_FLOAT_EQ(item.weight.x, fogTransmission(fog, 20));
+    EXPECT_FLOAT_EQ(added + item.weight.x, 1);
+    EXPECT_GE(passFog(fog, item, 20).x, 0) << "fog takes no light away";
+    EXPECT_LE(item.weight.x, fogTransmission(fog, 20));
+  }
+}
+
 TEST(Fog, BehindOpaqueFogNothingIsLeft) {
   const Fog fog{.mode = FogMode::Linear, .start = 0, .end = 10, .color = Rgb(0.5f)};
   RayItem item;

@@ -32,8 +32,9 @@ inline Rgb passFog(const Fog &fog, RayItem &item, float t) {
   const float before = item.travelled;
   item.travelled += t;
   if (fog.mode == FogMode::Off) return Rgb(0);
-  const float atStart = fogTransmission(fog, before);
-  const float left = atStart > 0 ? fogTransmission(fog, item.travelled) / atStart : 0.0f;
+  // The first piece is all of the way so far: a start behind the eye, or beyond the end, counts there.
+  const float atStart = before > 0 ? fogTransmission(fog, before) : 1.0f;
+  const float left = atStart > 0 ? std::min(fogTransmission(fog, item.travelled) / atStart, 1.0f) : 0.0f;
   const Rgb added = item.weight * (1 - left) * fog.color;
   item.weight *= left;
   return added;
