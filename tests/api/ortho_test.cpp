@@ -110,6 +110,21 @@ TEST_F(OrthoTest, AMirrorShowsTheWorldAtItsSize) {
   for (int x = 0; x < kWidth; ++x) ASSERT_EQ(covered(x, 20), x > 20 && x <= 40) << x;
 }
 
+TEST_F(OrthoTest, FogCountsFromThePlaneOfTheEye) {
+  paint(1, 0, 0);
+  rcEnable(RC_FOG);
+  rcFogf(RC_FOG_MODE, RC_LINEAR);
+  rcFogf(RC_FOG_END, 100);
+  for (float zNear : {-100.0f, 0.0f, 20.0f}) {
+    pixelWindow(zNear);
+    EXPECT_TRUE(seen(-50));
+    EXPECT_NEAR(pixel(30, 20)[0], 128, 1) << zNear;
+  }
+  pixelWindow();
+  EXPECT_TRUE(seen(50));  // behind the eye
+  EXPECT_EQ(pixel(30, 20)[0], 255);
+}
+
 TEST_F(OrthoTest, Errors) {
   EXPECT_RAISES(RC_INVALID_VALUE, rcOrtho(1, 1, 0, 1, -1, 1));
   EXPECT_RAISES(RC_INVALID_VALUE, rcOrtho(0, 1, 2, 2, -1, 1));

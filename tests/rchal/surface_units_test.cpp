@@ -82,7 +82,10 @@ TEST(Fog, PiecesOfTheWayMakeTheWhole) {
     RayItem item;
     item.weight = Rgb(1);
     Rgb added(0);
-    for (float piece : {1.0f, 10.0f, 25.0f, 4.0f}) added += passFog(fog, item, piece);
+    for (float piece : {1.0f, 10.0f, 25.0f, 4.0f}) {
+      added += passFog(fog, item, piece);
+      ++item.bounces;
+    }
     EXPECT_FLOAT_EQ(item.travelled, 40);
     EXPECT_NEAR(item.weight.x, fogTransmission(fog, 40), 1e-6);
     EXPECT_NEAR(added.x + item.weight.x, 1, 1e-6);
@@ -98,6 +101,7 @@ TEST(Fog, TheFirstPieceIsTheWholeWay) {
     const float added = passFog(fog, item, 20).x;
     EXPECT_FLOAT_EQ(item.weight.x, fogTransmission(fog, 20));
     EXPECT_FLOAT_EQ(added + item.weight.x, 1);
+    ++item.layers;
     EXPECT_GE(passFog(fog, item, 20).x, 0) << "fog takes no light away";
     EXPECT_LE(item.weight.x, fogTransmission(fog, 20));
   }
@@ -109,6 +113,7 @@ TEST(Fog, BehindOpaqueFogNothingIsLeft) {
   item.weight = Rgb(1);
   EXPECT_EQ(passFog(fog, item, 20).x, 0.5f);
   EXPECT_EQ(item.weight.x, 0);
+  ++item.bounces;
   EXPECT_EQ(passFog(fog, item, 20).x, 0) << "not a number otherwise";
   EXPECT_EQ(item.weight.x, 0);
 }

@@ -29,12 +29,15 @@ inline float fogTransmission(const Fog &fog, float distance) {
 // Takes the item to its hit: what the fog adds on this piece of the way; the rest of the item's weight is for the
 // surface. Pieces multiply to the transmission of the whole way.
 inline Rgb passFog(const Fog &fog, RayItem &item, float t) {
-  const float before = item.travelled;
+  // Parallel rays may start behind the eye.
+  const float before = std::max(item.travelled, 0.0f);
   item.travelled += t;
   if (fog.mode == FogMode::Off) return Rgb(0);
-  // The first piece is all of the way so far: a start behind the eye, or beyond the end, counts there.
-  const float atStart = before > 0 ? fogTransmission(fog, before) : 1.0f;
-  const float left = atStart > 0 ? std::min(fogTransmission(fog, item.travelled) / atStart, 1.0f) : 0.0f;
+  // The first piece counts as the whole way: the fog may begin behind the eye, or end before it begins.
+  const bool first = item.bounces == 0 && item.layers == 0;
+  const float atStart = first ? 1.0f : fogTransmission(fog, before);
+  const float atHit = fogTransmission(fog, std::max(item.travelled, 0.0f));
+  const float left = atStart > 0 ? std::min(atHit / atStart, 1.0f) : 0.0f;
   const Rgb added = item.weight * (1 - left) * fog.color;
   item.weight *= left;
   return added;
