@@ -78,6 +78,17 @@ TEST_F(ReadPixelsTest, RowsBeginAtTheAlignment) {
   }
 }
 
+TEST_F(ReadPixelsTest, RowsThatEndAtTheAlignmentAreNotFilled) {
+  drawCorner();
+  for (const auto &[alignment, rowBytes] : {std::pair{1, 12u}, {2, 12u}, {4, 12u}, {8, 16u}}) {
+    rcPixelStorei(RC_PACK_ALIGNMENT, alignment);
+    const std::vector<RCubyte> bytes = read(21, 10, 4, 2, RC_RGB);
+    EXPECT_EQ(bytes[rowBytes - 1], rowBytes == 12 ? 0 : kMark) << alignment;
+    EXPECT_EQ(bytes[rowBytes], 255) << alignment;
+    EXPECT_EQ(bytes[rowBytes + 12], kMark) << alignment;
+  }
+}
+
 TEST_F(ReadPixelsTest, WhatLiesBesideThePictureIsLeftAlone) {
   rcClearColor(1, 1, 1, 1);
   const std::vector<RCubyte> low = read(-2, -1, 3, 2, RC_RGBA), high = read(63, 47, 2, 2, RC_RGBA);

@@ -83,6 +83,11 @@ TEST_F(TexturePartTest, RowsBeginAtTheUnpackAlignment) {
       for (int x = 0; x < 3; ++x) EXPECT_EQ(texel(5 + x, 5 + y) & 255, uint32_t(10 * y + 3 * x)) << alignment;
     }
   }
+  rcPixelStorei(RC_UNPACK_ALIGNMENT, 4);
+  const std::vector<RCubyte> rows{1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8, 8, 8};
+  rcTexSubImage2D(RC_TEXTURE_2D, 0, 5, 5, 4, 2, RC_RGB, kByte, rows.data());
+  EXPECT_EQ(texel(5, 6) & 255, 5u) << "12 bytes need no filling";
+  rcPixelStorei(RC_UNPACK_ALIGNMENT, 8);
   // Whole images too; rows of 16 texels of two bytes need no filling.
   const std::vector<RCushort> packed(256, 31);
   rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, 16, 16, 0, RC_RGB, RC_UNSIGNED_SHORT_5_6_5, packed.data());

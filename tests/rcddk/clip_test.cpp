@@ -14,7 +14,7 @@ namespace {
 using ddk::Clipper;
 using ddk::Corner;
 
-class ClipTest : public testing::Test {
+class ClipperTest : public testing::Test {
  protected:
   float number() { return std::uniform_real_distribution<float>(-1, 1)(mRandom); }
   Vec3 point() {
@@ -53,7 +53,7 @@ class ClipTest : public testing::Test {
   Clipper mClipper;
 };
 
-TEST_F(ClipTest, APointStaysIfItIsInFrontOfEveryPlane) {
+TEST_F(ClipperTest, APointStaysIfItIsInFrontOfEveryPlane) {
   size_t inside = 0, outside = 0;
   for (int round = 0; round < 2000; ++round) {
     const std::array<Corner, 3> corners = triangle();
@@ -78,7 +78,7 @@ TEST_F(ClipTest, APointStaysIfItIsInFrontOfEveryPlane) {
   EXPECT_GT(outside, 2000u);
 }
 
-TEST_F(ClipTest, BothSidesOfAPlaneMakeTheWhole) {
+TEST_F(ClipperTest, BothSidesOfAPlaneMakeTheWhole) {
   for (int round = 0; round < 2000; ++round) {
     const std::array<Corner, 3> corners = triangle();
     const std::vector<Vec4> front = planes(1), back{-front[0]};
@@ -88,7 +88,7 @@ TEST_F(ClipTest, BothSidesOfAPlaneMakeTheWhole) {
   }
 }
 
-TEST_F(ClipTest, WhatIsInterpolatedStaysLinear) {
+TEST_F(ClipperTest, WhatIsInterpolatedStaysLinear) {
   for (int round = 0; round < 2000; ++round) {
     for (const Corner &corner : mClipper.clip(triangle(), planes(6))) {
       const Corner expected = cornerAt(corner.position);
@@ -100,7 +100,7 @@ TEST_F(ClipTest, WhatIsInterpolatedStaysLinear) {
 }
 
 // Two triangles of a surface must not come apart where they are cut.
-TEST_F(ClipTest, NeighboursAreCutAtTheSamePoint) {
+TEST_F(ClipperTest, NeighboursAreCutAtTheSamePoint) {
   for (int round = 0; round < 2000; ++round) {
     const std::vector<Vec4> all = planes(1);
     const Corner a = cornerAt(point()), b = cornerAt(point()), c = cornerAt(point()), d = cornerAt(point());
@@ -118,7 +118,7 @@ TEST_F(ClipTest, NeighboursAreCutAtTheSamePoint) {
   }
 }
 
-TEST_F(ClipTest, OnThePlaneIsInFront) {
+TEST_F(ClipperTest, OnThePlaneIsInFront) {
   const std::array<Corner, 3> corners{cornerAt({0, 0, 0}), cornerAt({1, 0, 0}), cornerAt({0, 1, 0})};
   EXPECT_EQ(mClipper.clip(corners, std::array{Vec4(0, 0, 1, 0)}).size(), 3u);
   EXPECT_EQ(mClipper.clip(corners, std::array{Vec4(0, 0, 0, 0)}).size(), 3u);
@@ -128,7 +128,7 @@ TEST_F(ClipTest, OnThePlaneIsInFront) {
   EXPECT_EQ(mClipper.clip(corners, std::span<const Vec4>()).size(), 3u);
 }
 
-TEST_F(ClipTest, NumbersThatAreNoneHarmNothing) {
+TEST_F(ClipperTest, NumbersThatAreNoneHarmNothing) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
   for (float bad : {nan, infinite, -infinite}) {
     EXPECT_LE(mClipper.clip(triangle(), std::vector<Vec4>(6, Vec4(bad, 1, 1, bad))).size(), 9u);
