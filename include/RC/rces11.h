@@ -64,7 +64,8 @@ RC_APICALL void RC_APIENTRY rcLightModelfv(RCenum pname, const RCfloat *params);
 RC_APICALL void RC_APIENTRY rcLightModelxv(RCenum pname, const RCfixed *params);
 /* While RC_FOG is on, surfaces fade to RC_FOG_COLOR by the length of the ray's way from the eye, mirrors included:
  * RC_FOG_MODE RC_EXP (initially), RC_EXP2 with RC_FOG_DENSITY, or RC_LINEAR from RC_FOG_START to RC_FOG_END, world
- * units. The background keeps the clear colour. IE: pname, mode; IV: density < 0. */
+ * units. Parallel rays count from the plane of the eye. The background keeps the clear colour. IE: pname, mode;
+ * IV: density < 0. */
 RC_APICALL void RC_APIENTRY rcFogf(RCenum pname, RCfloat param);
 RC_APICALL void RC_APIENTRY rcFogx(RCenum pname, RCfixed param);
 RC_APICALL void RC_APIENTRY rcFogfv(RCenum pname, const RCfloat *params);

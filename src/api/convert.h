@@ -33,6 +33,9 @@ inline RCint roundToInt(double value) {
 
 inline RCfixed toFixed(double value) { return roundToInt(value * 65536); }
 
+// 0 ... 1 spans the integers from 0 on. [OpenGL ES 1.1, 2.6, 6.1.2]
+inline RCint toSpannedInt(double value) { return roundToInt(std::fmax((value * 4294967295.0 - 1) / 2, 0)); }
+
 // To 0 ... 1; what is not a number becomes 0.
 inline float clamp01(float value) { return value > 0 ? std::fmin(value, 1.0f) : 0.0f; }
 inline Rgb clamp01(const float *rgb) { return {clamp01(rgb[0]), clamp01(rgb[1]), clamp01(rgb[2])}; }

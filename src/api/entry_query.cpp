@@ -44,7 +44,7 @@ void rcGetFloatv(RCenum pname, RCfloat *params) {
 void rcGetIntegerv(RCenum pname, RCint *params) {
   get(Call("rcGetIntegerv", pname, params), pname, params, [](Kind kind, double value) {
     if (kind == Kind::Colour) return roundToInt(value * 255);
-    if (kind == Kind::Clamped) return roundToInt((value * 4294967295.0 - 1) / 2);
+    if (kind == Kind::Clamped) return toSpannedInt(value);
     return roundToInt(value);
   });
 }

@@ -23,9 +23,9 @@ class NameTable {
 
   // The object of a name, made if the name is not in use.
   const std::shared_ptr<Object> &bind(RCuint name) {
-    std::shared_ptr<Object> &object = mObjects[name];
-    if (!object) object = std::make_shared<Object>();
-    return object;
+    const auto found = mObjects.find(name);
+    if (found != mObjects.end()) return found->second;
+    return mObjects.emplace(name, std::make_shared<Object>()).first->second;
   }
 
   // Null for names that are not in use.

@@ -50,7 +50,7 @@ inline double parameterFrom(ParameterRow::Kind kind, RCint value) {
 }
 inline void parameterTo(ParameterRow::Kind, double value, float &result) { result = static_cast<float>(value); }
 inline void parameterTo(ParameterRow::Kind kind, double value, RCint &result) {
-  result = roundToInt(kind == ParameterRow::Kind::Colour ? (value * 4294967295.0 - 1) / 2 : value);
+  result = kind == ParameterRow::Kind::Colour ? toSpannedInt(value) : roundToInt(value);
 }
 
 // RCfixed and RCint are one type in C: fixed-point calls wrap their values.

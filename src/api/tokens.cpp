@@ -38,6 +38,7 @@ std::string tokenName(RCenum value, std::string_view parameter) {
   if (value < std::size(kPrimitives)) {
     if (parameter == "mode") return kPrimitives[value];
     if (parameter == "sfactor" || parameter == "dfactor") return value == RC_ZERO ? "RC_ZERO" : "RC_ONE";
+    if (parameter.empty()) return errorName(value);  // a result: that of rcGetError
     return std::to_string(value);
   }
   if (value >= RC_LIGHT0 && value <= RC_LIGHT1023) return "RC_LIGHT" + std::to_string(value - RC_LIGHT0);

@@ -36,12 +36,12 @@ uint32_t readTexel(PixelLayout layout, const uint8_t *at, uint32_t alpha) {
 size_t texelBytes(PixelLayout layout) { return layout == PixelLayout::Rgb8 ? 3 : layout == PixelLayout::Rgba8 ? 4 : 2; }
 
 // Mean of 2 x 2 texels, channel by channel, rounded.
-std::vector<uint32_t> halve(const std::vector<uint32_t> &fine, int width, int height) {
+void halve(const std::vector<uint32_t> &fine, int width, int height, std::vector<uint32_t> &coarse) {
   const int halfWidth = std::max(width / 2, 1), halfHeight = std::max(height / 2, 1);
   const auto at = [&](int x, int y) {
     return fine[size_t(std::min(y, height - 1)) * size_t(width) + size_t(std::min(x, width - 1))];
   };
-  std::vector<uint32_t> coarse;
+  coarse.clear();
   coarse.reserve(size_t(halfWidth) * size_t(halfHeight));
   for (int y = 0; y < halfHeight; ++y) {
     for (int x = 0; x < halfWidth; ++x) {
@@ -53,15 +53,14 @@ std::vector<uint32_t> halve(const std::vector<uint32_t> &fine, int width, int he
       coarse.push_back(mean);
     }
   }
-  return coarse;
 }
 
-// All levels after the first, anew.
+// All levels after the first, anew; in the memory of the old ones where there are some.
 void makeMipLevels(Image &image) {
-  image.levels.resize(1);
   int width = image.width, height = image.height;
-  while (width > 1 || height > 1) {
-    image.levels.push_back(halve(image.levels.back(), width, height));
+  for (size_t level = 1; width > 1 || height > 1; ++level) {
+    if (level == image.levels.size()) image.levels.emplace_back();
+    halve(image.levels[level - 1], width, height, image.levels[level]);
     width = std::max(width / 2, 1);
     height = std::max(height / 2, 1);
   }

@@ -39,7 +39,7 @@ struct RayItem {
   Rgb weight{1};           // share of the pixel's colour
   float coneWidth = 0;     // diameter of the footprint at the origin, world units
   float coneSpread = 0;    // growth of it for each unit of distance; below 0 it narrows to a focus
-  float travelled = 0;     // way from the eye to the origin
+  float travelled = 0;     // way from the eye to the origin, or from its plane
   uint32_t pixel = 0;      // within the tile
   uint8_t bounces = 0;     // reflections and refractions so far
 };

@@ -52,16 +52,26 @@ class ContextTest : public testing::Test {
 
   // A new context with this profile becomes current.
   void useProfile(const std::string &profile);
+  // A new context with these settings, on one thread, becomes current.
+  void useSettings(Settings settings);
 
   void pixelCamera();
   // Flat colour for the bound material.
   void paint(float red, float green, float blue);
+  // Diffuse colour only: black without lightFrom().
+  void paintDiffuse(float red, float green, float blue);
+  // LIGHT0 alone, only its diffuse colour; w = 0 for a direction.
+  void lightFrom(float x, float y, float z, float w, float diffuse);
 
   struct Rect {
     float x0, y0, x1, y1;
   };
   // A quad at the depth z in front of or behind the picture plane; its pointers are gone afterwards.
   void drawQuad(const Rect &rect, float z = 0);
+  // Its front looks away from the eye of pixelCamera().
+  void drawClockwiseQuad(const Rect &rect, float z = 0);
+  // Four floats for each vertex, counter-clockwise from x0, y0.
+  void drawColouredQuad(const Rect &rect, const std::vector<float> &colours, float z = 0);
   // Texture coordinates go from (0, 0) at x0, y0 to (u, v) at x1, y1.
   void drawTexturedQuad(const Rect &rect, float u = 1, float v = 1, float z = 0);
   // Triangles of three floats a vertex.
@@ -70,7 +80,11 @@ class ContextTest : public testing::Test {
   // Loads a 16 x 16 image into the current texture: `low` where the column is below 8, `high` elsewhere.
   void loadColumns(const Colour &low, const Colour &high);
   void loadSolid(const Colour &colour) { loadColumns(colour, colour); }
+  // The same of RGBA texels.
+  void loadRgba(int red, int green, int blue, int alpha);
 
+  // The picture of what was drawn; the next draw call begins the next frame.
+  void trace();
   Colour pixel(int x, int yFromBottom) const;
 
   RCint integer(RCenum pname) const;
@@ -80,8 +94,11 @@ class ContextTest : public testing::Test {
   std::vector<float> light(RCenum name, RCenum pname, size_t count) const;
   RCint texParameter(RCenum pname, RCenum target = RC_TEXTURE_2D) const;
   std::array<float, 16> modelview() const;
+  std::vector<float> clipPlane(RCenum plane) const;
+  std::vector<float> texEnv(RCenum pname, size_t count, RCenum target = RC_TEXTURE_ENV) const;
 
   // Everything a program can ask for and what it can only see in pictures, one number after the other.
+  // In context_snapshot.cpp.
   std::vector<double> snapshot() const;
 
   MemorySurface surface{kWidth, kHeight};

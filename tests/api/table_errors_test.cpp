@@ -39,33 +39,5 @@ TEST_F(TableErrorsTest, OpaqueAlphaOfTextures) {
   EXPECT_RAISES(RC_INVALID_VALUE, rcTexParameterxv(RC_TEXTURE_2D, RC_TEXTURE_OPAQUE_ALPHA, &tooMuch));
 }
 
-TEST_F(TableErrorsTest, ImagesOfTextures) {
-  const std::vector<RCubyte> texels(size_t{16} * 16 * 4);
-  const auto *p = texels.data();
-  EXPECT_RAISES(RC_INVALID_ENUM, rcTexImage2D(kNoToken, 0, RC_RGB, 16, 16, 0, RC_RGB, RC_UNSIGNED_BYTE, p));
-  EXPECT_RAISES(RC_INVALID_ENUM, rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, 16, 16, 0, RC_RGB, kNoToken, p));
-  EXPECT_RAISES(RC_INVALID_VALUE, rcTexImage2D(RC_TEXTURE_2D, 1, RC_RGB, 16, 16, 0, RC_RGB, RC_UNSIGNED_BYTE, p));
-  EXPECT_RAISES(RC_INVALID_VALUE, rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, 17, 16, 0, RC_RGB, RC_UNSIGNED_BYTE, p));
-  EXPECT_RAISES(RC_INVALID_OPERATION, rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGBA, 16, 16, 0, RC_RGB, RC_UNSIGNED_BYTE, p));
-}
-
-TEST_F(TableErrorsTest, MatricesOfThePaletteWhileItIsOff) {
-  const std::vector<RCfixed> zero(16);
-  rcEnable(RC_MATRIX_PALETTE_OES);
-  rcMatrixMode(RC_MATRIX_PALETTE_OES);
-  rcDisable(RC_MATRIX_PALETTE_OES);
-  EXPECT_RAISES(RC_INVALID_OPERATION, rcLoadMatrixx(zero.data()));
-  EXPECT_RAISES(RC_INVALID_OPERATION, rcMultMatrixx(zero.data()));
-}
-
-// The call itself is not undone: the static scene is dropped, and the rest is traced.
-TEST_F(TableErrorsTest, AStaticSceneThatIsNotEnded) {
-  context->attach(&surface);
-  rcStaticSceneBegin();
-  EXPECT_RAISES(RC_INVALID_OPERATION, rcFinish());
-  rcStaticSceneBegin();
-  EXPECT_RAISES(RC_INVALID_OPERATION, rcFlush());
-}
-
 }  // namespace
 }  // namespace rc::test

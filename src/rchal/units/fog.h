@@ -30,8 +30,12 @@ inline float fogTransmission(const Fog &fog, float distance) {
 // surface. Pieces multiply to the transmission of the whole way.
 inline Rgb passFog(const Fog &fog, RayItem &item, float t) {
   if (fog.mode == FogMode::Off) return Rgb(0);
-  const float atStart = fogTransmission(fog, item.travelled + item.after.t);
-  const float left = atStart > 0 ? fogTransmission(fog, item.travelled + t) / atStart : 0.0f;
+  // Parallel rays may start behind the eye.
+  const float before = std::max(item.travelled + item.after.t, 0.0f), behind = std::max(item.travelled + t, 0.0f);
+  // The first piece counts as the whole way: the fog may begin behind the eye, or end before it begins.
+  const bool first = item.bounces == 0 && item.after.primitive == kNoPrimitive;
+  const float atStart = first ? 1.0f : fogTransmission(fog, before);
+  const float left = atStart > 0 ? std::min(fogTransmission(fog, behind) / atStart, 1.0f) : 0.0f;
   const Rgb added = item.weight * (1 - left) * fog.color;
   item.weight *= left;
   return added;

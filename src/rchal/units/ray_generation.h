@@ -29,6 +29,7 @@ inline RayItem primaryRay(const CameraView &camera, int column, int row, Vec2 of
   if (camera.parallel) {
     item.ray = {camera.eye + camera.right * x + camera.up * y - camera.back * camera.near, -camera.back};
     item.coneWidth = std::abs(camera.height) / static_cast<float>(camera.rows);
+    item.travelled = camera.near;  // from the plane of the eye
     return item;
   }
   item.ray.origin = camera.eye;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// allocation_failure.h: operator new that fails when a test says so, to see what RC_OUT_OF_MEMORY leaves behind.
+#pragma once
+
+namespace rc::test {
+
+// After `good` more allocations of this thread one throws std::bad_alloc.
+void failAllocationAfter(int good);
+
+// Whether the failure came; it no longer will.
+bool allocationFailed();
+
+// For the arguments of a call: the first allocation after them fails.
+template <class Value>
+Value starved(Value value) {
+  failAllocationAfter(0);
+  return value;
+}
+
+}  // namespace rc::test
