@@ -3,12 +3,12 @@
 //
 // RAYCORE_TRACE, as a user sees it: every call of an example in a file, and a line for each frame.
 #include <gtest/gtest.h>
+#include <regex.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 
 #include "images/run_example.h"
 
@@ -29,9 +29,13 @@ class TraceFile : public testing::Test {
     return lines;
   }
   static size_t count(const std::vector<std::string> &lines, const std::string &pattern) {
-    const std::regex expression(pattern);
-    return size_t(std::count_if(lines.begin(), lines.end(),
-                                [&](const std::string &line) { return std::regex_search(line, expression); }));
+    regex_t expression;
+    EXPECT_EQ(regcomp(&expression, pattern.c_str(), REG_EXTENDED | REG_NOSUB), 0) << pattern;
+    const auto found = std::count_if(lines.begin(), lines.end(), [&](const std::string &line) {
+      return regexec(&expression, line.c_str(), 0, nullptr, 0) == 0;
+    });
+    regfree(&expression);
+    return size_t(found);
   }
 
   std::filesystem::path mFile =
