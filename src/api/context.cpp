@@ -64,6 +64,7 @@ void Context::finish() {
   mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;
+  mSurface->traced();
   if (!scene.dynamics().empty()) resetMatrices();
   const ddk::FrameStats &f = mLastFrame;
   log(LogLevel::Frame,
@@ -74,6 +75,11 @@ void Context::finish() {
       static_cast<unsigned long long>(f.rays.primary), static_cast<unsigned long long>(f.rays.shadow),
       static_cast<unsigned long long>(f.rays.reflected), static_cast<unsigned long long>(f.rays.refracted),
       f.buildMilliseconds, f.traceMilliseconds);
+}
+
+bool Context::pending() const {
+  const std::lock_guard lock(mObjects->mutex);
+  return mSurface && mTraced != mObjects->changes;
 }
 
 void Context::endFrame() {
@@ -99,9 +105,16 @@ ddk::FrameState Context::frameState() const {
   frame.colourShadow = state.shadow.colour;
   frame.mipmaps = state.hints.mipmap != RC_NICEST;
   frame.maxBounces = state.depthBounce;
-  frame.samples = supersampled(state.hints.rendering) ? std::max(mSamples, kNicestSamples) : mSamples;
+  frame.samples = samples();
   frame.minWeight = minWeightOf(state.hints.rayBounceThreshold);
   return frame;
+}
+
+// Samples a pixel: those of the surface's configuration, but not fewer than the process or a hint asks for.
+// RC_MULTISAMPLE, where it acts, switches the surface's.
+int Context::samples() const {
+  const int surface = mSurface ? mSurface->samples() : 1;
+  return std::max({mSamples, surface, supersampled(state.hints.rendering) ? kNicestSamples : 1});
 }
 
 void Context::fail(RCenum error, const char *reason, ...) {

@@ -21,6 +21,10 @@ class DrawSurface {
   virtual ~DrawSurface() = default;
   // The back buffer at the size the surface has now.
   virtual hal::Target backBuffer() = 0;
+  // Samples a pixel that its configuration asks for, 1 or more.
+  virtual int samples() const { return 1; }
+  // A picture was traced into the back buffer.
+  virtual void traced() {}
 };
 
 // What contexts of one share group have in common.
@@ -63,6 +67,8 @@ class Context {
   void attach(DrawSurface *surface);
   // Traces the frame if something changed since the last picture.
   void finish();
+  // Whether a surface waits for a picture that rcFinish would trace.
+  bool pending() const;
   // The picture was shown: dynamic geometry ends here.
   void endFrame();
   // Modelview and texture matrix begin anew where the profile says so. [spec 8]
@@ -75,6 +81,7 @@ class Context {
 
  private:
   ddk::FrameState frameState() const;
+  int samples() const;
 
   const Profile &mProfile;
   int mSamples;
