@@ -64,9 +64,8 @@ class X11Drawable : public NativeDrawable {
 // The library's own window.
 class OwnWindow final : public X11Drawable {
  public:
-  OwnWindow(const Connection &connection, ::Window window, const XWindowAttributes &attributes)
-      : X11Drawable(connection, window, attributes.visual, attributes.depth),
-        mDeleteWindow(XInternAtom(connection->display(), "WM_DELETE_WINDOW", False)) {}
+  OwnWindow(const Connection &connection, ::Window window, const XWindowAttributes &attributes, Atom deleteWindow)
+      : X11Drawable(connection, window, attributes.visual, attributes.depth), mDeleteWindow(deleteWindow) {}
   ~OwnWindow() override {
     if (!mConnection->alive()) return;
     const ErrorTrap trap(*mConnection);
@@ -74,12 +73,14 @@ class OwnWindow final : public X11Drawable {
   }
 
   bool closeRequested() override {
+    if (!mConnection->alive()) return false;
+    const ErrorTrap trap(*mConnection);
     XEvent event;
     bool close = false;
-    while (mConnection->alive() && XCheckTypedWindowEvent(mConnection->display(), mDrawable, KeyPress, &event)) {
+    while (XCheckTypedWindowEvent(mConnection->display(), mDrawable, KeyPress, &event)) {
       close |= XLookupKeysym(&event.xkey, 0) == XK_Escape;
     }
-    while (mConnection->alive() && XCheckTypedWindowEvent(mConnection->display(), mDrawable, ClientMessage, &event)) {
+    while (XCheckTypedWindowEvent(mConnection->display(), mDrawable, ClientMessage, &event)) {
       close |= Atom(event.xclient.data.l[0]) == mDeleteWindow;
     }
     return close;
@@ -113,22 +114,11 @@ class X11Platform final : public Platform {
 
   std::unique_ptr<NativeDrawable> createWindow(Size size) override {
     if (!mConnection->alive()) return nullptr;
-    ::Display *display = mConnection->display();
-    const ::Window window =
-        XCreateSimpleWindow(display, mConnection->root(), 0, 0, unsigned(size.width), unsigned(size.height), 0, 0, 0);
-    XStoreName(display, window, "RayCore");
-    Atom deleteWindow = XInternAtom(display, "WM_DELETE_WINDOW", False);
-    XSetWMProtocols(display, window, &deleteWindow, 1);
-    XSelectInput(display, window, KeyPressMask | StructureNotifyMask);
-    XMapWindow(display, window);
-    XEvent event;
-    do {  // what is put before it is mapped would be lost
-      XWindowEvent(display, window, StructureNotifyMask, &event);
-    } while (mConnection->alive() && event.type != MapNotify);
+    Atom deleteWindow = None;
+    const ::Window window = mapWindow(size, deleteWindow);
     XWindowAttributes attributes;
     if (!attributesOf(window, attributes)) return nullptr;
-    XSelectInput(display, window, KeyPressMask);
-    return std::make_unique<OwnWindow>(mConnection, window, attributes);
+    return std::make_unique<OwnWindow>(mConnection, window, attributes, deleteWindow);
   }
 
   std::optional<bool> holdsPictures(EGLNativePixmapType pixmap) override {
@@ -145,6 +135,23 @@ class X11Platform final : public Platform {
   }
 
  private:
+  ::Window mapWindow(Size size, Atom &deleteWindow) const {
+    const ErrorTrap trap(*mConnection);
+    ::Display *display = mConnection->display();
+    const ::Window window =
+        XCreateSimpleWindow(display, mConnection->root(), 0, 0, unsigned(size.width), unsigned(size.height), 0, 0, 0);
+    XStoreName(display, window, "RayCore");
+    deleteWindow = XInternAtom(display, "WM_DELETE_WINDOW", False);
+    XSetWMProtocols(display, window, &deleteWindow, 1);
+    XSelectInput(display, window, KeyPressMask | StructureNotifyMask);
+    XMapWindow(display, window);
+    XEvent event;
+    do {  // what is put before it is mapped would be lost
+      XWindowEvent(display, window, StructureNotifyMask, &event);
+    } while (mConnection->alive() && event.type != MapNotify);
+    if (mConnection->alive()) XSelectInput(display, window, KeyPressMask);
+    return window;
+  }
   bool attributesOf(::Window window, XWindowAttributes &attributes) const {
     if (!mConnection->alive()) return false;
     const ErrorTrap trap(*mConnection);

@@ -16,12 +16,16 @@ std::mutex sTrapMutex;
 ::Display *sTrapped = nullptr;
 bool sFailed = false;
 XErrorHandler sOuter = nullptr;
+XIOErrorHandler sOuterIo = nullptr;
 
 int noteError(::Display *display, XErrorEvent *event) {
   if (display != sTrapped) return sOuter ? sOuter(display, event) : 0;
   sFailed = true;
   return 0;
 }
+
+// Xlib's own handler would end the process before it comes to X11Connection::serverGone.
+int noteLostServer(::Display *display) { return display != sTrapped && sOuterIo ? sOuterIo(display) : 0; }
 
 }  // namespace
 
@@ -44,7 +48,7 @@ X11Connection::~X11Connection() {
   if (mAlive) XCloseDisplay(mDisplay);
 }
 
-// Xlib would end the process here.
+// Called instead of exit, where the connection is found broken.
 void X11Connection::serverGone(::Display *, void *connection) {
   if (!static_cast<X11Connection *>(connection)->mAlive.exchange(false)) return;
   log(LogLevel::Warning, "the X server has gone away: windows on it are lost, swaps fail with EGL_BAD_NATIVE_WINDOW");
@@ -58,15 +62,16 @@ void X11Connection::serverGone(::Display *, void *connection) {
 
 ErrorTrap::ErrorTrap(const X11Connection &connection) : mConnection(connection) {
   sTrapMutex.lock();
-  sync();
   sTrapped = connection.display();
-  sFailed = false;
+  sOuterIo = XSetIOErrorHandler(noteLostServer);
   sOuter = XSetErrorHandler(noteError);
+  sFailed = false;
 }
 
 ErrorTrap::~ErrorTrap() {
   sync();
   XSetErrorHandler(sOuter);
+  XSetIOErrorHandler(sOuterIo);
   sTrapped = nullptr;
   sTrapMutex.unlock();
 }

@@ -37,8 +37,8 @@ class X11Connection {
   std::atomic<bool> mAlive = true;
 };
 
-// While it lives, X errors of one connection are noted instead of ending the program. Errors of other connections go
-// to the program's handler. One at a time in the process.
+// While it lives, X errors of one connection, and its loss, are noted instead of ending the program. Those of other
+// connections go to the program's handlers. One at a time in the process; all that asks the server is done under one.
 class ErrorTrap {
  public:
   explicit ErrorTrap(const X11Connection &connection);

@@ -14,12 +14,17 @@ struct X11Image::Shared {
   XShmSegmentInfo info{};
 };
 
+bool X11Image::serverShares(const X11Connection &connection) {
+  const ErrorTrap trap(connection);
+  return connection.alive() && XShmQueryExtension(connection.display());
+}
+
 X11Image::X11Image(const X11Connection &connection, ::Visual *visual, int depth)
     : mConnection(connection),
       mDisplay(connection.display()),
       mVisual(visual),
       mDepth(depth),
-      mSharedWorks(XShmQueryExtension(mDisplay) != 0),
+      mSharedWorks(serverShares(connection)),
       mFormat(visual->red_mask, visual->green_mask, visual->blue_mask, depth) {}
 
 X11Image::~X11Image() {

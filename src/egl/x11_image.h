@@ -24,6 +24,7 @@ class X11Image {
  private:
   struct Shared;
 
+  static bool serverShares(const X11Connection &connection);
   bool resize(int width, int height);
   bool makeShared(int width, int height);
   void release();
