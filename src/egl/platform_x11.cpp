@@ -169,7 +169,8 @@ class X11Platform final : public Platform {
 
 std::unique_ptr<Platform> connectX11(void *native, int screen) {
   // Without a name there is no server: Xlib need not be asked.
-  if (!native && !std::getenv("DISPLAY")) return nullptr;
+  const char *name = std::getenv("DISPLAY");
+  if (!native && (!name || !*name)) return nullptr;
   auto connection = X11Connection::open(native ? DisplayString(static_cast<::Display *>(native)) : nullptr, screen);
   return connection ? std::make_unique<X11Platform>(std::move(connection)) : nullptr;
 }
