@@ -23,7 +23,7 @@ class X11Connection {
   ::Display *display() const { return mDisplay; }
   int screen() const { return mScreen; }
   ::Window root() const { return RootWindow(mDisplay, mScreen); }
-  // False once the server has gone; no call of Xlib must follow.
+  // False once the server has gone; nothing can be asked any more.
   bool alive() const { return mAlive; }
   // The TrueColor visual of a depth, or null.
   ::Visual *visualOf(int depth) const;

@@ -29,7 +29,9 @@ X11Image::X11Image(const X11Connection &connection, ::Visual *visual, int depth)
 
 X11Image::~X11Image() {
   release();
-  if (mGc && mConnection.alive()) XFreeGC(mDisplay, mGc);
+  if (!mGc) return;
+  const ErrorTrap trap(mConnection);  // the server may be gone; our side of it is freed all the same
+  XFreeGC(mDisplay, mGc);
 }
 
 bool X11Image::put(::Drawable drawable, const hal::Target &picture) {
