@@ -11,6 +11,15 @@ if(TARGET raycore_vendor)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/50_raycore.json.in
     \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/raycore/egl_vendor.d/50_raycore.json @ONLY)")
 endif()
+
+# The guide's link line names the original's inner libraries too. Linkers take these texts for them; no program needs
+# the names when it runs. [G D 1.1; reference 1.1]
+foreach(name RCDDK RCHAL RCDDIArriaV)
+  set(script $<TARGET_FILE_DIR:RayCoreAPI>/lib${name}.so)
+  file(GENERATE OUTPUT ${script} CONTENT "/* GNU ld script: lib${name} is part of libRayCoreAPI */\nINPUT ( AS_NEEDED ( -lRayCoreAPI ) )\n")
+  install(FILES ${script} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endforeach()
+
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -97,7 +97,7 @@ RC_APICALL void RC_APIENTRY rcBindTexture(RCenum target, RCuint texture);
 RC_APICALL RCboolean RC_APIENTRY rcIsTexture(RCuint texture);
 /* Loads the current texture, mip levels included. level and border 0; sides powers of two, 16 ... 1024;
  * internalformat = format = RC_RGB or RC_RGBA; type (UNSIGNED_)BYTE, (UNSIGNED_)SHORT (5-6-5, RGB only) or
- * GL's packed types. Rows are tight, the first one is at v = 0. NULL pixels: nothing. IE IV IO OOM. */
+ * GL's packed types. Rows follow RC_UNPACK_ALIGNMENT, the first one is at v = 0. NULL pixels: nothing. IE IV IO OOM. */
 RC_APICALL void RC_APIENTRY rcTexImage2D(RCenum target, RCint level, RCint internalformat, RCsizei width,
                                          RCsizei height, RCint border, RCenum format, RCenum type,
                                          const RCvoid *pixels);
@@ -232,7 +232,9 @@ RC_APICALL void RC_APIENTRY rcSetSPPCount(RCuint count);
 RC_APICALL RCenum RC_APIENTRY rcGetError(void);
 /* RC_LIGHTING, RC_LIGHT0 ... 7, RC_USE_SHADOW, RC_USE_COLOR_SHADOW (frame); RC_TEXTURE_2D(_NORMAL) (bound
  * material); RC_USE_TEXTURE_ONLY, RC_USE_TRANSMITTANCE_SHADOW, RC_USE_TEXTURE_ALPHA_SHADOW (captured by
- * each draw); RC_MATRIX_PALETTE_OES; RC_LARGE_TEXTURES. GL ES 1.1's other caps are accepted without effect. IE: others. */
+ * each draw); RC_MATRIX_PALETTE_OES; RC_LARGE_TEXTURES. Of GL ES 1.1's: RC_FOG, RC_SCISSOR_TEST, RC_MULTISAMPLE
+ * (frame; the last one is on initially), RC_CULL_FACE, RC_ALPHA_TEST, RC_CLIP_PLANE0 ... 5 (each draw); the others
+ * are kept without effect. IE: names that are none. */
 RC_APICALL void RC_APIENTRY rcEnable(RCenum cap);
 RC_APICALL void RC_APIENTRY rcDisable(RCenum cap);
 RC_APICALL RCboolean RC_APIENTRY rcIsEnabled(RCenum cap);
@@ -251,6 +253,8 @@ RC_APICALL const RCubyte *RC_APIENTRY rcGetString(RCenum name);
 #ifdef __cplusplus
 }
 #endif
+
+#include <RC/rces11.h>
 
 /* The guide's other spellings of functions above. [G 4.1e, 7.2a] */
 #define rcDrawArray rcDrawArrays

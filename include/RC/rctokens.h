@@ -314,7 +314,7 @@
 #define RC_CULL_FACE_MODE                             0x0B45
 #define RC_FRONT_FACE                                 0x0B46
 
-/* comparison (unused) */
+/* comparison */
 #define RC_NEVER                                      0x0200
 #define RC_LESS                                       0x0201
 #define RC_EQUAL                                      0x0202
@@ -324,7 +324,7 @@
 #define RC_GEQUAL                                     0x0206
 #define RC_ALWAYS                                     0x0207
 
-/* blend (unused) */
+/* blend (kept without effect) */
 #define RC_ZERO                                       0
 #define RC_ONE                                        1
 #define RC_SRC_COLOR                                  0x0300
@@ -340,7 +340,7 @@
 #define RC_BLEND_DST                                  0x0BE0
 #define RC_BLEND_SRC                                  0x0BE1
 
-/* clip planes (unused) */
+/* clip planes */
 #define RC_CLIP_PLANE0                                0x3000
 #define RC_CLIP_PLANE1                                0x3001
 #define RC_CLIP_PLANE2                                0x3002
@@ -348,7 +348,7 @@
 #define RC_CLIP_PLANE4                                0x3004
 #define RC_CLIP_PLANE5                                0x3005
 
-/* fog (unused) */
+/* fog */
 #define RC_FOG                                        0x0B60
 #define RC_EXP                                        0x0800
 #define RC_EXP2                                       0x0801
@@ -358,7 +358,7 @@
 #define RC_FOG_MODE                                   0x0B65
 #define RC_FOG_COLOR                                  0x0B66
 
-/* logic op (unused) */
+/* logic op (kept without effect) */
 #define RC_COLOR_LOGIC_OP                             0x0BF2
 #define RC_LOGIC_OP_MODE                              0x0BF0
 #define RC_CLEAR                                      0x1500
@@ -378,7 +378,7 @@
 #define RC_NAND                                       0x150E
 #define RC_SET                                        0x150F
 
-/* stencil (unused) */
+/* stencil (kept without effect) */
 #define RC_STENCIL_TEST                               0x0B90
 #define RC_STENCIL_CLEAR_VALUE                        0x0B91
 #define RC_STENCIL_FUNC                               0x0B92
@@ -394,7 +394,7 @@
 #define RC_INCR                                       0x1E02
 #define RC_DECR                                       0x1E03
 
-/* depth (unused) */
+/* depth (kept without effect) */
 #define RC_DEPTH_TEST                                 0x0B71
 #define RC_DEPTH_RANGE                                0x0B70
 #define RC_DEPTH_WRITEMASK                            0x0B72
@@ -402,7 +402,7 @@
 #define RC_DEPTH_FUNC                                 0x0B74
 #define RC_DEPTH_BITS                                 0x0D56
 
-/* points, lines, offset (unused) */
+/* points, lines, offset (kept without effect) */
 #define RC_POINT_SMOOTH                               0x0B10
 #define RC_LINE_SMOOTH                                0x0B20
 #define RC_POLYGON_OFFSET_FILL                        0x8037
@@ -425,7 +425,7 @@
 #define RC_POINT_SPRITE_OES                           0x8861
 #define RC_COORD_REPLACE_OES                          0x8862
 
-/* multisample, scissor, masks (unused) */
+/* alpha test, scissor, masks, multisample */
 #define RC_ALPHA_TEST                                 0x0BC0
 #define RC_DITHER                                     0x0BD0
 #define RC_SCISSOR_TEST                               0x0C11
@@ -442,7 +442,7 @@
 #define RC_SAMPLE_COVERAGE_VALUE                      0x80AA
 #define RC_SAMPLE_COVERAGE_INVERT                     0x80AB
 
-/* texture environment (unused) */
+/* texture environment */
 #define RC_MODULATE                                   0x2100
 #define RC_DECAL                                      0x2101
 #define RC_ADD                                        0x0104
@@ -475,7 +475,7 @@
 #define RC_DOT3_RGB                                   0x86AE
 #define RC_DOT3_RGBA                                  0x86AF
 
-/* light model, shading (unused) */
+/* light model, shading */
 #define RC_COLOR_MATERIAL                             0x0B57
 #define RC_NORMALIZE                                  0x0BA1
 #define RC_RESCALE_NORMAL                             0x803A
@@ -485,18 +485,18 @@
 #define RC_FLAT                                       0x1D00
 #define RC_SMOOTH                                     0x1D01
 
-/* bit depths (unused) */
+/* bit depths */
 #define RC_SUBPIXEL_BITS                              0x0D50
 #define RC_RED_BITS                                   0x0D52
 #define RC_GREEN_BITS                                 0x0D53
 #define RC_BLUE_BITS                                  0x0D54
 #define RC_ALPHA_BITS                                 0x0D55
 
-/* pixel store (unused) */
+/* pixel store */
 #define RC_UNPACK_ALIGNMENT                           0x0CF5
 #define RC_PACK_ALIGNMENT                             0x0D05
 
-/* compressed, read format (unused) */
+/* compressed, read format */
 #define RC_NUM_COMPRESSED_TEXTURE_FORMATS             0x86A2
 #define RC_COMPRESSED_TEXTURE_FORMATS                 0x86A3
 #define RC_IMPLEMENTATION_COLOR_READ_TYPE_OES         0x8B9A

@@ -81,6 +81,14 @@ inline constexpr ArrayTokens kArrays[] = {
      RC_WEIGHT_ARRAY_BUFFER_BINDING_OES,
      &ArrayState::weight,
      {RC_FIXED, RC_FLOAT}},
+    {RC_POINT_SIZE_ARRAY_OES,
+     RC_POINT_SIZE_ARRAY_POINTER_OES,
+     0,
+     RC_POINT_SIZE_ARRAY_TYPE_OES,
+     RC_POINT_SIZE_ARRAY_STRIDE_OES,
+     RC_POINT_SIZE_ARRAY_BUFFER_BINDING_OES,
+     &ArrayState::pointSize,
+     {RC_FIXED, RC_FLOAT}},
 };
 
 inline const ArrayTokens *findArrayTokens(RCenum name) {
@@ -109,7 +117,8 @@ inline bool hasSource(const ClientArray &array) { return array.buffer || array.p
 inline bool hasNullPointer(const ArrayState &arrays) {
   for (const ArrayTokens &row : kArrays) {
     const ClientArray &array = arrays.*row.member;
-    if (array.enabled && !hasSource(array)) return true;
+    const bool read = row.array != RC_POINT_SIZE_ARRAY_OES;  // there are no points
+    if (read && array.enabled && !hasSource(array)) return true;
   }
   return false;
 }

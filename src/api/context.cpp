@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "api/tokens.h"
+#include "api/trace.h"
 
 namespace rc::api {
 namespace {
@@ -21,6 +22,28 @@ float minWeightOf(RCenum hint) {
 // Samples a pixel of RC_RENDERING_HINT.
 constexpr int kNicestSamples = 4;
 bool supersampled(RCenum hint) { return hint == RC_NICEST || hint == RC_FASTEST_AND_NICEST; }
+
+hal::Fog fogOf(const FogState &state) {
+  if (!state.enabled) return {};
+  const hal::FogMode mode = state.mode == RC_LINEAR ? hal::FogMode::Linear
+                            : state.mode == RC_EXP2 ? hal::FogMode::Exp2
+                                                    : hal::FogMode::Exp;
+  return {mode, state.density, state.start, state.end, Rgb(state.color)};
+}
+
+std::optional<hal::PixelRect> scissorOf(const PictureState &picture) {
+  if (!picture.scissorTest) return std::nullopt;
+  return hal::PixelRect{picture.scissorX, picture.scissorY, picture.scissorWidth, picture.scissorHeight};
+}
+
+// Bits of a pixel that may be written.
+uint32_t writeMaskOf(const PictureState &picture) {
+  uint32_t mask = 0;
+  for (size_t channel = 0; channel < picture.colorMask.size(); ++channel) {
+    if (picture.colorMask[channel]) mask |= 0xffu << 8 * channel;
+  }
+  return mask;
+}
 
 }  // namespace
 
@@ -45,8 +68,8 @@ void Context::attach(DrawSurface *surface) {
   mSurface = surface;
   if (!surface || std::exchange(mHadSurface, true)) return;
   const hal::Target target = surface->backBuffer();
-  state.view.width = target.width;
-  state.view.height = target.height;
+  state.view.width = state.picture.scissorWidth = target.width;
+  state.view.height = state.picture.scissorHeight = target.height;
 }
 
 void Context::finish() {
@@ -55,26 +78,26 @@ void Context::finish() {
     scene.abandonStatic();
     touch();
     fail(RC_INVALID_OPERATION, "rcStaticSceneBegin without rcStaticSceneEnd; there is no static scene now");
+    if (tracing()) traceLine("frame " + std::to_string(frameNumber()) + ": " + mFailure.reason);
   }
   if (!mSurface) return;
   const hal::Target target = mSurface->backBuffer();
   if (target.width != mWidth || target.height != mHeight) touch();
   if (mTraced == mObjects->changes) return;
   mLastFrame = mDriver.trace(frameState(), scene, target);
+  mLastFrame.emptyDraws = std::exchange(mEmptyDraws, 0);
   mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;
   mSurface->traced();
   if (!scene.dynamics().empty()) resetMatrices();
-  const ddk::FrameStats &f = mLastFrame;
-  log(LogLevel::Frame,
-      "frame %llu: %d x %d, %zu triangles (%zu static, %zu dynamic, %zu skipped), %llu rays (%llu primary, "
-      "%llu shadow, %llu reflected, %llu refracted), build %.2f ms, trace %.2f ms",
-      static_cast<unsigned long long>(++mFrame), f.width, f.height, f.staticTriangles + f.dynamicTriangles,
-      f.staticTriangles, f.dynamicTriangles, f.skippedTriangles, static_cast<unsigned long long>(f.rays.all()),
-      static_cast<unsigned long long>(f.rays.primary), static_cast<unsigned long long>(f.rays.shadow),
-      static_cast<unsigned long long>(f.rays.reflected), static_cast<unsigned long long>(f.rays.refracted),
-      f.buildMilliseconds, f.traceMilliseconds);
+  reportFrame();
+  ++mFrame;
+}
+
+hal::Target Context::picture() {
+  finish();
+  return mSurface ? mSurface->backBuffer() : hal::Target{};
 }
 
 bool Context::pending() const {
@@ -107,25 +130,43 @@ ddk::FrameState Context::frameState() const {
   frame.maxBounces = state.depthBounce;
   frame.samples = samples();
   frame.minWeight = minWeightOf(state.hints.rayBounceThreshold);
+  if (state.light.lighting) frame.globalAmbient = Rgb(state.light.modelAmbient);
+  frame.fog = fogOf(state.fog);
+  frame.scissor = scissorOf(state.picture);
+  frame.writeMask = writeMaskOf(state.picture);
   return frame;
 }
 
-// Samples a pixel: those of the surface's configuration, but not fewer than the process or a hint asks for.
-// RC_MULTISAMPLE, where it acts, switches the surface's.
+// Those of the surface's configuration, but not fewer than the process asks for, which RC_MULTISAMPLE switches; or as
+// many as a hint asks for.
 int Context::samples() const {
   const int surface = mSurface ? mSurface->samples() : 1;
-  return std::max({mSamples, surface, supersampled(state.hints.rendering) ? kNicestSamples : 1});
+  const int plain = state.picture.multisample ? std::max(mSamples, surface) : 1;
+  return supersampled(state.hints.rendering) ? std::max(plain, kNicestSamples) : plain;
+}
+
+void Context::reportFrame() const {
+  if (!logEnabled(LogLevel::Frame) && !tracing()) return;
+  const std::string line = "frame " + std::to_string(frameNumber()) + ": " + describe(mLastFrame);
+  log(LogLevel::Frame, "%s", line.c_str());
+  if (tracing()) traceLine(line);
 }
 
 void Context::fail(RCenum error, const char *reason, ...) {
   if (mError == RC_NO_ERROR) mError = error;
-  if (!logEnabled(LogLevel::Error)) return;
+  mFailure.error = error;
+  if (!logEnabled(LogLevel::Error) && !tracing()) return;
   char text[512];
   va_list arguments;
   va_start(arguments, reason);
   std::vsnprintf(text, sizeof text, reason, arguments);
   va_end(arguments);
-  log(LogLevel::Error, "%s: %s: %s", mFunction, errorName(error), text);
+  try {
+    mFailure.reason = withTokenNames(text);
+  } catch (const std::bad_alloc &) {  // the error itself is what counts
+    mFailure.reason.clear();
+  }
+  log(LogLevel::Error, "%s: %s: %s", mFunction, errorName(error), mFailure.reason.c_str());
 }
 
 RCenum Context::takeError() { return std::exchange(mError, RC_NO_ERROR); }

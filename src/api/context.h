@@ -6,6 +6,7 @@
 #pragma once
 
 #include <mutex>
+#include <string>
 
 #include "api/material_table.h"
 #include "api/name_table.h"
@@ -37,6 +38,12 @@ struct SharedObjects {
   uint64_t changes = 0;  // counts what any context of the group changed
 };
 
+// The error a call raised, for the tracer.
+struct Failure {
+  RCenum error = RC_NO_ERROR;
+  std::string reason;  // kept while tracing or logging errors
+};
+
 class Context {
  public:
   explicit Context(const Settings &settings, std::shared_ptr<SharedObjects> shared = nullptr);
@@ -65,10 +72,16 @@ class Context {
 
   // Where the picture goes from now on; null for none. The first surface sets the viewport.
   void attach(DrawSurface *surface);
+  // Samples a pixel of the next frame.
+  int samples() const;
   // Traces the frame if something changed since the last picture.
   void finish();
   // Whether a surface waits for a picture that rcFinish would trace.
   bool pending() const;
+  // The picture as it is after all that was drawn, row by row from the top; no pixels where there is no surface.
+  hal::Target picture();
+  // A draw call had no vertex array, or an array without memory: it draws nothing.
+  void noteEmptyDraw() { ++mEmptyDraws; }
   // The picture was shown: dynamic geometry ends here.
   void endFrame();
   // Modelview and texture matrix begin anew where the profile says so. [spec 8]
@@ -77,11 +90,19 @@ class Context {
   // Notes the first error and logs every one: "rcFrustum: RC_INVALID_VALUE: zNear is -1, not above 0".
   [[gnu::format(printf, 3, 4)]] void fail(RCenum error, const char *reason, ...);
   RCenum takeError();
-  void enterFunction(const char *name) { mFunction = name; }
+  // A call begins.
+  void enterFunction(const char *name) {
+    mFunction = name;
+    mFailure.error = RC_NO_ERROR;
+  }
+  // What the call in hand, or the last one, raised.
+  const Failure &failure() const { return mFailure; }
+  // The frame that is being made, from 1.
+  uint64_t frameNumber() const { return mFrame + 1; }
 
  private:
   ddk::FrameState frameState() const;
-  int samples() const;
+  void reportFrame() const;
 
   const Profile &mProfile;
   int mSamples;
@@ -93,7 +114,9 @@ class Context {
   uint64_t mFrame = 0;
   int mWidth = 0, mHeight = 0;  // of the last picture
   ddk::FrameStats mLastFrame;
+  size_t mEmptyDraws = 0;  // since the last picture
   RCenum mError = RC_NO_ERROR;
+  Failure mFailure;
   const char *mFunction = "";
 };
 

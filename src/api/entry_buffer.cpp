@@ -49,14 +49,14 @@ void unbind(ArrayState &arrays, RCuint name) {
 extern "C" {
 
 void rcGenBuffers(RCsizei n, RCuint *buffers) {
-  enter("rcGenBuffers", [&](Context &context) {
+  enter(Call("rcGenBuffers", n, buffers), [&](Context &context) {
     if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
     for (RCsizei i = 0; buffers && i < n; ++i) buffers[i] = context.objects().buffers.generate();
   });
 }
 
 void rcDeleteBuffers(RCsizei n, const RCuint *buffers) {
-  enter("rcDeleteBuffers", [&](Context &context) {
+  enter(Call("rcDeleteBuffers", n, list(buffers, n)), [&](Context &context) {
     if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
     for (RCsizei i = 0; buffers && i < n; ++i) {
       if (buffers[i] == 0) continue;
@@ -67,7 +67,7 @@ void rcDeleteBuffers(RCsizei n, const RCuint *buffers) {
 }
 
 void rcBindBuffer(RCenum target, RCuint buffer) {
-  enter("rcBindBuffer", [&](Context &context) {
+  enter(Call("rcBindBuffer", target, buffer), [&](Context &context) {
     BufferBinding *binding = findBinding(context, target);
     if (!binding) return;
     *binding = {buffer, buffer == 0 ? nullptr : context.objects().buffers.bind(buffer)};
@@ -75,13 +75,13 @@ void rcBindBuffer(RCenum target, RCuint buffer) {
 }
 
 RCboolean rcIsBuffer(RCuint buffer) {
-  return enter("rcIsBuffer", [&](Context &context) -> RCboolean {
+  return enter(Call("rcIsBuffer", buffer), [&](Context &context) -> RCboolean {
     return context.objects().buffers.contains(buffer) ? RC_TRUE : RC_FALSE;
   });
 }
 
 void rcBufferData(RCenum target, RCsizeiptr size, const RCvoid *data, RCenum usage) {
-  enter("rcBufferData", [&](Context &context) {
+  enter(Call("rcBufferData", target, size, data, usage), [&](Context &context) {
     const BufferBinding *binding = findBinding(context, target);
     if (!binding) return;
     if (usage != RC_STATIC_DRAW && usage != RC_DYNAMIC_DRAW) {
@@ -99,7 +99,7 @@ void rcBufferData(RCenum target, RCsizeiptr size, const RCvoid *data, RCenum usa
 }
 
 void rcBufferSubData(RCenum target, RCintptr offset, RCsizeiptr size, const RCvoid *data) {
-  enter("rcBufferSubData", [&](Context &context) {
+  enter(Call("rcBufferSubData", target, offset, size, data), [&](Context &context) {
     const BufferBinding *binding = findBinding(context, target);
     if (!binding) return;
     Buffer *buffer = findBound(context, *binding);
@@ -117,7 +117,7 @@ void rcBufferSubData(RCenum target, RCintptr offset, RCsizeiptr size, const RCvo
 }
 
 void rcGetBufferParameteriv(RCenum target, RCenum pname, RCint *params) {
-  enter("rcGetBufferParameteriv", [&](Context &context) {
+  enter(Call("rcGetBufferParameteriv", target, pname, params), [&](Context &context) {
     const BufferBinding *binding = findBinding(context, target);
     if (!binding) return;
     if (pname != RC_BUFFER_SIZE && pname != RC_BUFFER_USAGE) {

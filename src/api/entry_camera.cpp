@@ -22,7 +22,18 @@ void setFrustum(Context &context, double l, double r, double b, double t, double
     return context.fail(RC_INVALID_VALUE, "the window %g ... %g by %g ... %g has no size", l, r, b, t);
   }
   if (!std::isfinite(l + r + b + t + zNear)) return context.fail(RC_INVALID_VALUE, "a value is infinite");
-  context.state.view.camera.window = {l, r, b, t, zNear};
+  context.state.view.camera.window = {l, r, b, t, zNear, false};
+  context.touch();
+}
+
+// Parallel rays; zNear may lie behind the viewer.
+void setOrtho(Context &context, double l, double r, double b, double t, double zNear, double zFar) {
+  if (!(l < r || l > r) || !(b < t || b > t) || !(zNear < zFar || zNear > zFar)) {
+    return context.fail(RC_INVALID_VALUE, "the box %g ... %g by %g ... %g by %g ... %g has no size", l, r, b, t, zNear,
+                        zFar);
+  }
+  if (!std::isfinite(l + r + b + t + zNear)) return context.fail(RC_INVALID_VALUE, "a value is infinite");
+  context.state.view.camera.window = {l, r, b, t, zNear, true};
   context.touch();
 }
 
@@ -52,7 +63,7 @@ void setLookAt(Context &context, const Vec3 &eye, const Vec3 &centre, const Vec3
 extern "C" {
 
 void rcViewport(RCint x, RCint y, RCsizei width, RCsizei height) {
-  enter("rcViewport", [&](Context &context) {
+  enter(Call("rcViewport", x, y, width, height), [&](Context &context) {
     if (width < 0 || height < 0) return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", width, height);
     ViewState &view = context.state.view;
     view.x = x;
@@ -64,21 +75,39 @@ void rcViewport(RCint x, RCint y, RCsizei width, RCsizei height) {
 }
 
 void rcFrustum(RCdouble l, RCdouble r, RCdouble b, RCdouble t, RCdouble zNear, RCdouble zFar) {
-  enter("rcFrustum", [&](Context &context) { setFrustum(context, l, r, b, t, zNear, zFar); });
+  enter(Call("rcFrustum", l, r, b, t, zNear, zFar),
+        [&](Context &context) { setFrustum(context, l, r, b, t, zNear, zFar); });
 }
 
 void rcFrustumf(RCfloat l, RCfloat r, RCfloat b, RCfloat t, RCfloat zNear, RCfloat zFar) {
-  enter("rcFrustumf", [&](Context &context) { setFrustum(context, l, r, b, t, zNear, zFar); });
+  enter(Call("rcFrustumf", l, r, b, t, zNear, zFar),
+        [&](Context &context) { setFrustum(context, l, r, b, t, zNear, zFar); });
 }
 
 void rcFrustumx(RCfixed l, RCfixed r, RCfixed b, RCfixed t, RCfixed zNear, RCfixed zFar) {
-  enter("rcFrustumx", [&](Context &context) {
+  enter(Call("rcFrustumx", l, r, b, t, zNear, zFar), [&](Context &context) {
     setFrustum(context, fromFixed(l), fromFixed(r), fromFixed(b), fromFixed(t), fromFixed(zNear), fromFixed(zFar));
   });
 }
 
+void rcOrtho(RCdouble l, RCdouble r, RCdouble b, RCdouble t, RCdouble zNear, RCdouble zFar) {
+  enter(Call("rcOrtho", l, r, b, t, zNear, zFar),
+        [&](Context &context) { setOrtho(context, l, r, b, t, zNear, zFar); });
+}
+
+void rcOrthof(RCfloat l, RCfloat r, RCfloat b, RCfloat t, RCfloat zNear, RCfloat zFar) {
+  enter(Call("rcOrthof", l, r, b, t, zNear, zFar),
+        [&](Context &context) { setOrtho(context, l, r, b, t, zNear, zFar); });
+}
+
+void rcOrthox(RCfixed l, RCfixed r, RCfixed b, RCfixed t, RCfixed zNear, RCfixed zFar) {
+  enter(Call("rcOrthox", l, r, b, t, zNear, zFar), [&](Context &context) {
+    setOrtho(context, fromFixed(l), fromFixed(r), fromFixed(b), fromFixed(t), fromFixed(zNear), fromFixed(zFar));
+  });
+}
+
 void rcuPerspective(RCfloat fovy, RCfloat aspect, RCfloat zNear, RCfloat zFar) {
-  enter("rcuPerspective", [&](Context &context) {
+  enter(Call("rcuPerspective", fovy, aspect, zNear, zFar), [&](Context &context) {
     if (!(fovy > 0 && fovy < 180)) return context.fail(RC_INVALID_VALUE, "fovy %g is not between 0 and 180", fovy);
     if (!(aspect > 0) || !std::isfinite(aspect))
       return context.fail(RC_INVALID_VALUE, "aspect %g is not above 0", aspect);
@@ -89,24 +118,26 @@ void rcuPerspective(RCfloat fovy, RCfloat aspect, RCfloat zNear, RCfloat zFar) {
 
 void rcuLookAt(RCfloat eyex, RCfloat eyey, RCfloat eyez, RCfloat centerx, RCfloat centery, RCfloat centerz, RCfloat upx,
                RCfloat upy, RCfloat upz) {
-  enter("rcuLookAt", [&](Context &context) {
+  enter(Call("rcuLookAt", eyex, eyey, eyez, centerx, centery, centerz, upx, upy, upz), [&](Context &context) {
     setLookAt(context, {eyex, eyey, eyez}, {centerx, centery, centerz}, {upx, upy, upz});
   });
 }
 
 void rcClearColor(RCclampf red, RCclampf green, RCclampf blue, RCclampf alpha) {
-  enter("rcClearColor", [&](Context &context) { setClearColor(context, {red, green, blue, alpha}); });
+  enter(Call("rcClearColor", red, green, blue, alpha), [&](Context &context) {
+    setClearColor(context, {red, green, blue, alpha});
+  });
 }
 
 void rcClearColorx(RCclampx red, RCclampx green, RCclampx blue, RCclampx alpha) {
-  enter("rcClearColorx", [&](Context &context) {
+  enter(Call("rcClearColorx", red, green, blue, alpha), [&](Context &context) {
     setClearColor(context, {fromFixed(red), fromFixed(green), fromFixed(blue), fromFixed(alpha)});
   });
 }
 
 // Old programs call it between the parts of one frame and inside the static scene: it must drop nothing.
-void rcClear(RCbitfield) {
-  enter("rcClear", [](Context &) {});
+void rcClear(RCbitfield mask) {
+  enter(Call("rcClear", mask), [](Context &) {});
 }
 
 }  // extern "C"

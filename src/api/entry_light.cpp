@@ -54,15 +54,16 @@ void setScalar(Context &context, RCenum light, RCenum pname, float value) {
 extern "C" {
 
 void rcLightf(RCenum light, RCenum pname, RCfloat param) {
-  enter("rcLightf", [&](Context &context) { setScalar(context, light, pname, param); });
+  enter(Call("rcLightf", light, pname, param), [&](Context &context) { setScalar(context, light, pname, param); });
 }
 
 void rcLightx(RCenum light, RCenum pname, RCfixed param) {
-  enter("rcLightx", [&](Context &context) { setScalar(context, light, pname, fromFixed(param)); });
+  enter(Call("rcLightx", light, pname, param),
+        [&](Context &context) { setScalar(context, light, pname, fromFixed(param)); });
 }
 
 void rcLightfv(RCenum light, RCenum pname, const RCfloat *params) {
-  enter("rcLightfv", [&](Context &context) {
+  enter(Call("rcLightfv", light, pname, list(params, [&] { return lightValueCount(pname); })), [&](Context &context) {
     const Found found = find(context, light, pname);
     if (!found.light) return;
     if (!params) return context.fail(RC_INVALID_VALUE, "params is NULL");
@@ -71,7 +72,7 @@ void rcLightfv(RCenum light, RCenum pname, const RCfloat *params) {
 }
 
 void rcLightxv(RCenum light, RCenum pname, const RCfixed *params) {
-  enter("rcLightxv", [&](Context &context) {
+  enter(Call("rcLightxv", light, pname, list(params, [&] { return lightValueCount(pname); })), [&](Context &context) {
     const Found found = find(context, light, pname);
     if (!found.light) return;
     if (!params) return context.fail(RC_INVALID_VALUE, "params is NULL");
@@ -82,14 +83,14 @@ void rcLightxv(RCenum light, RCenum pname, const RCfixed *params) {
 }
 
 void rcGetLightfv(RCenum light, RCenum pname, RCfloat *params) {
-  enter("rcGetLightfv", [&](Context &context) {
+  enter(Call("rcGetLightfv", light, pname, params), [&](Context &context) {
     const Found found = find(context, light, pname);
     if (found.light && params) std::copy_n(found.parameter->values(*found.light), found.parameter->writes, params);
   });
 }
 
 void rcGetLightxv(RCenum light, RCenum pname, RCfixed *params) {
-  enter("rcGetLightxv", [&](Context &context) {
+  enter(Call("rcGetLightxv", light, pname, params), [&](Context &context) {
     const Found found = find(context, light, pname);
     if (!found.light || !params) return;
     const float *values = found.parameter->values(*found.light);

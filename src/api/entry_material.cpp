@@ -5,6 +5,7 @@
 #include "RC/rc.h"
 #include "api/convert.h"
 #include "api/guard.h"
+#include "api/material_binding.h"
 #include "api/material_parameters.h"
 
 using namespace rc;
@@ -51,16 +52,21 @@ void setScalar(Context &context, RCenum face, RCenum pname, float value) {
   set(context, *parameter, values);
 }
 
+// Values that a vector call reads, for the tracer; without a context it looks at one only.
+int valuesGiven(RCenum pname) {
+  const Context *context = currentContext();
+  return context ? materialValueCount(pname, context->profile().colouredReflection) : 1;
+}
+
 // read(i): the i-th value of the caller's array; no more are read than the parameter has.
 template <class Read>
 void setVector(Context &context, RCenum face, RCenum pname, bool hasValues, Read &&read) {
   const MaterialParameter *parameter = find(context, face, pname, false);
   if (!parameter) return;
   if (!hasValues) return context.fail(RC_INVALID_VALUE, "params is NULL");
-  const bool single =
-      parameter->kind == Kind::Scalar || (parameter->kind == Kind::Share && !context.profile().colouredReflection);
+  const int count = materialValueCount(pname, context.profile().colouredReflection);
   float values[3];
-  for (int i = 0; i < 3; ++i) values[i] = read(single ? 0 : i);
+  for (int i = 0; i < 3; ++i) values[i] = read(count == 1 ? 0 : i);
   set(context, *parameter, values);
 }
 
@@ -86,25 +92,12 @@ void setColor(Context &context, const Vec4 &given) {
   context.touch();
 }
 
-// A name that is not in use is made; the material's colour texture becomes the current texture. [spec 3.5]
-void bind(Context &context, RCuint name) {
-  MaterialTable &materials = context.objects().materials;
-  if (!materials.contains(name)) materials.make(name, context.boundMaterial());
-  context.state.boundMaterial = name;
-  const ddk::TextureUse &use = context.boundMaterial().textures[ddk::kColourMap];
-  TextureBinding &binding = context.state.texture.bound[ddk::kColourMap];
-  binding.texture = use.texture;
-  // A deleted texture lives on in its materials, without a name.
-  binding.name = context.objects().textures.find(use.name) == use.texture ? use.name : 0;
-  context.state.texture.last = ddk::kColourMap;
-}
-
 }  // namespace
 
 extern "C" {
 
 void rcGenMaterials(RCsizei n, RCuint *materials) {
-  enter("rcGenMaterials", [&](Context &context) {
+  enter(Call("rcGenMaterials", n, materials), [&](Context &context) {
     if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
     if (!materials) return;
     for (RCsizei i = 0; i < n; ++i) {
@@ -116,54 +109,55 @@ void rcGenMaterials(RCsizei n, RCuint *materials) {
 }
 
 void rcDeleteMaterials(RCsizei n, RCuint *materials) {
-  enter("rcDeleteMaterials", [&](Context &context) {
+  enter(Call("rcDeleteMaterials", n, list(materials, n)), [&](Context &context) {
     if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
     if (!materials) return;
     for (RCsizei i = 0; i < n; ++i) {
       context.objects().materials.remove(materials[i]);
-      if (materials[i] == context.state.boundMaterial) bind(context, 0);
+      if (materials[i] == context.state.boundMaterial) bindMaterial(context, 0);
     }
   });
 }
 
 void rcBindMaterial(RCuint material) {
-  enter("rcBindMaterial", [&](Context &context) {
+  enter(Call("rcBindMaterial", material), [&](Context &context) {
     if (!MaterialTable::canExist(material)) {
       return context.fail(RC_OUT_OF_MEMORY, "%u is above the last material name, %u", material,
                           hal::kNamedMaterials - 1);
     }
-    bind(context, material);
+    bindMaterial(context, material);
   });
 }
 
 RCboolean rcIsMaterial(RCuint material) {
-  return enter("rcIsMaterial", [&](Context &context) -> RCboolean {
+  return enter(Call("rcIsMaterial", material), [&](Context &context) -> RCboolean {
     return context.objects().materials.contains(material) ? RC_TRUE : RC_FALSE;
   });
 }
 
 void rcMaterialf(RCenum face, RCenum pname, RCfloat param) {
-  enter("rcMaterialf", [&](Context &context) { setScalar(context, face, pname, param); });
+  enter(Call("rcMaterialf", face, pname, param), [&](Context &context) { setScalar(context, face, pname, param); });
 }
 
 void rcMaterialx(RCenum face, RCenum pname, RCfixed param) {
-  enter("rcMaterialx", [&](Context &context) { setScalar(context, face, pname, fromFixed(param)); });
+  enter(Call("rcMaterialx", face, pname, param),
+        [&](Context &context) { setScalar(context, face, pname, fromFixed(param)); });
 }
 
 void rcMaterialfv(RCenum face, RCenum pname, const RCfloat *params) {
-  enter("rcMaterialfv", [&](Context &context) {
+  enter(Call("rcMaterialfv", face, pname, list(params, [&] { return valuesGiven(pname); })), [&](Context &context) {
     setVector(context, face, pname, params != nullptr, [&](int i) { return params[i]; });
   });
 }
 
 void rcMaterialxv(RCenum face, RCenum pname, const RCfixed *params) {
-  enter("rcMaterialxv", [&](Context &context) {
+  enter(Call("rcMaterialxv", face, pname, list(params, [&] { return valuesGiven(pname); })), [&](Context &context) {
     setVector(context, face, pname, params != nullptr, [&](int i) { return fromFixed(params[i]); });
   });
 }
 
 void rcGetMaterialfv(RCenum face, RCenum pname, RCfloat *params) {
-  enter("rcGetMaterialfv", [&](Context &context) {
+  enter(Call("rcGetMaterialfv", face, pname, params), [&](Context &context) {
     get(context, face, pname, [&](int i, float value) {
       if (params) params[i] = value;
     });
@@ -171,7 +165,7 @@ void rcGetMaterialfv(RCenum face, RCenum pname, RCfloat *params) {
 }
 
 void rcGetMaterialxv(RCenum face, RCenum pname, RCfixed *params) {
-  enter("rcGetMaterialxv", [&](Context &context) {
+  enter(Call("rcGetMaterialxv", face, pname, params), [&](Context &context) {
     get(context, face, pname, [&](int i, float value) {
       if (params) params[i] = toFixed(value);
     });
@@ -179,15 +173,18 @@ void rcGetMaterialxv(RCenum face, RCenum pname, RCfixed *params) {
 }
 
 void rcColor4f(RCfloat red, RCfloat green, RCfloat blue, RCfloat alpha) {
-  enter("rcColor4f", [&](Context &context) { setColor(context, {red, green, blue, alpha}); });
+  enter(Call("rcColor4f", red, green, blue, alpha), [&](Context &context) {
+    setColor(context, {red, green, blue, alpha});
+  });
 }
 
 void rcColor4ub(RCubyte red, RCubyte green, RCubyte blue, RCubyte alpha) {
-  enter("rcColor4ub", [&](Context &context) { setColor(context, Vec4(red, green, blue, alpha) / 255.0f); });
+  enter(Call("rcColor4ub", red, green, blue, alpha),
+        [&](Context &context) { setColor(context, Vec4(red, green, blue, alpha) / 255.0f); });
 }
 
 void rcColor4x(RCfixed red, RCfixed green, RCfixed blue, RCfixed alpha) {
-  enter("rcColor4x", [&](Context &context) {
+  enter(Call("rcColor4x", red, green, blue, alpha), [&](Context &context) {
     setColor(context, {fromFixed(red), fromFixed(green), fromFixed(blue), fromFixed(alpha)});
   });
 }

@@ -37,16 +37,19 @@ Mat4 *loadTarget(Context &context) {
   return nullptr;
 }
 
-template <class MakeMatrix>
-void multiply(const char *function, MakeMatrix &&makeMatrix) {
-  enter(function, [&](Context &context) {
+// values: null where the caller gave none, and then nothing happens.
+template <class... Arguments, class Values, class MakeMatrix>
+void multiply(const Call<Arguments...> &call, const Values *values, MakeMatrix &&makeMatrix) {
+  enter(call, [&](Context &context) {
+    if (!values) return;
     if (Mat4 *current = loadTarget(context)) *current = *current * makeMatrix();
   });
 }
 
-template <class MakeMatrix>
-void load(const char *function, MakeMatrix &&makeMatrix) {
-  enter(function, [&](Context &context) {
+template <class... Arguments, class Values, class MakeMatrix>
+void load(const Call<Arguments...> &call, const Values *values, MakeMatrix &&makeMatrix) {
+  enter(call, [&](Context &context) {
+    if (!values) return;
     if (Mat4 *current = loadTarget(context)) *current = makeMatrix();
   });
 }
@@ -57,9 +60,9 @@ MatrixStack *stackOf(Context &context) {
   return matrices.mode == RC_MATRIX_PALETTE_OES ? nullptr : &matrices.current();
 }
 
-template <class MakeMatrix>
-void move(const char *function, MakeMatrix &&makeMatrix) {
-  enter(function, [&](Context &context) {
+template <class... Arguments, class MakeMatrix>
+void move(const Call<Arguments...> &call, MakeMatrix &&makeMatrix) {
+  enter(call, [&](Context &context) {
     if (MatrixStack *stack = stackOf(context)) stack->current() = stack->current() * makeMatrix();
   });
 }
@@ -69,7 +72,7 @@ void move(const char *function, MakeMatrix &&makeMatrix) {
 extern "C" {
 
 void rcMatrixMode(RCenum mode) {
-  enter("rcMatrixMode", [&](Context &context) {
+  enter(Call("rcMatrixMode", mode), [&](Context &context) {
     if (mode == RC_MATRIX_PALETTE_OES && !context.state.palette.enabled) {
       return context.fail(RC_INVALID_OPERATION, "the matrix palette is not enabled");
     }
@@ -81,51 +84,55 @@ void rcMatrixMode(RCenum mode) {
 }
 
 void rcLoadIdentity(void) {
-  load("rcLoadIdentity", [] { return Mat4(1); });
+  enter(Call("rcLoadIdentity"), [](Context &context) {
+    if (Mat4 *current = loadTarget(context)) *current = Mat4(1);
+  });
 }
 
 void rcLoadMatrixf(const RCfloat *m) {
-  if (m) load("rcLoadMatrixf", [&] { return loadMatrix(m); });
+  load(Call("rcLoadMatrixf", list(m, 16)), m, [&] { return loadMatrix(m); });
 }
 
 void rcLoadMatrixx(const RCfixed *m) {
-  if (m) load("rcLoadMatrixx", [&] { return loadMatrix(fromFixed<16>(m).data()); });
+  load(Call("rcLoadMatrixx", list(m, 16)), m, [&] { return loadMatrix(fromFixed<16>(m).data()); });
 }
 
 void rcMultMatrixf(const RCfloat *m) {
-  if (m) multiply("rcMultMatrixf", [&] { return loadMatrix(m); });
+  multiply(Call("rcMultMatrixf", list(m, 16)), m, [&] { return loadMatrix(m); });
 }
 
 void rcMultMatrixx(const RCfixed *m) {
-  if (m) multiply("rcMultMatrixx", [&] { return loadMatrix(fromFixed<16>(m).data()); });
+  multiply(Call("rcMultMatrixx", list(m, 16)), m, [&] { return loadMatrix(fromFixed<16>(m).data()); });
 }
 
 void rcTranslatef(RCfloat x, RCfloat y, RCfloat z) {
-  move("rcTranslatef", [&] { return glm::translate(Mat4(1), Vec3(x, y, z)); });
+  move(Call("rcTranslatef", x, y, z), [&] { return glm::translate(Mat4(1), Vec3(x, y, z)); });
 }
 
 void rcTranslatex(RCfixed x, RCfixed y, RCfixed z) {
-  move("rcTranslatex", [&] { return glm::translate(Mat4(1), Vec3(fromFixed(x), fromFixed(y), fromFixed(z))); });
+  move(Call("rcTranslatex", x, y, z),
+       [&] { return glm::translate(Mat4(1), Vec3(fromFixed(x), fromFixed(y), fromFixed(z))); });
 }
 
 void rcRotatef(RCfloat angle, RCfloat x, RCfloat y, RCfloat z) {
-  move("rcRotatef", [&] { return rotation(angle, x, y, z); });
+  move(Call("rcRotatef", angle, x, y, z), [&] { return rotation(angle, x, y, z); });
 }
 
 void rcRotatex(RCfixed angle, RCfixed x, RCfixed y, RCfixed z) {
-  move("rcRotatex", [&] { return rotation(fromFixed(angle), fromFixed(x), fromFixed(y), fromFixed(z)); });
+  move(Call("rcRotatex", angle, x, y, z),
+       [&] { return rotation(fromFixed(angle), fromFixed(x), fromFixed(y), fromFixed(z)); });
 }
 
 void rcScalef(RCfloat x, RCfloat y, RCfloat z) {
-  move("rcScalef", [&] { return glm::scale(Mat4(1), Vec3(x, y, z)); });
+  move(Call("rcScalef", x, y, z), [&] { return glm::scale(Mat4(1), Vec3(x, y, z)); });
 }
 
 void rcScalex(RCfixed x, RCfixed y, RCfixed z) {
-  move("rcScalex", [&] { return glm::scale(Mat4(1), Vec3(fromFixed(x), fromFixed(y), fromFixed(z))); });
+  move(Call("rcScalex", x, y, z), [&] { return glm::scale(Mat4(1), Vec3(fromFixed(x), fromFixed(y), fromFixed(z))); });
 }
 
 void rcPushMatrix(void) {
-  enter("rcPushMatrix", [](Context &context) {
+  enter(Call("rcPushMatrix"), [](Context &context) {
     MatrixStack *stack = stackOf(context);
     if (stack && !stack->push()) {
       context.fail(RC_STACK_OVERFLOW, "the stack holds %d matrices and is full", MatrixStack::kDepth);
@@ -134,14 +141,14 @@ void rcPushMatrix(void) {
 }
 
 void rcPopMatrix(void) {
-  enter("rcPopMatrix", [](Context &context) {
+  enter(Call("rcPopMatrix"), [](Context &context) {
     MatrixStack *stack = stackOf(context);
     if (stack && !stack->pop()) context.fail(RC_STACK_UNDERFLOW, "nothing was pushed");
   });
 }
 
 void rcCurrentPaletteMatrixOES(RCuint index) {
-  enter("rcCurrentPaletteMatrixOES", [&](Context &context) {
+  enter(Call("rcCurrentPaletteMatrixOES", index), [&](Context &context) {
     PaletteState &palette = context.state.palette;
     if (index >= PaletteState::kMatrices) return context.fail(RC_INVALID_VALUE, "%u is above 127", index);
     if (!palette.enabled) return context.fail(RC_INVALID_OPERATION, "the matrix palette is not enabled");
@@ -150,7 +157,7 @@ void rcCurrentPaletteMatrixOES(RCuint index) {
 }
 
 void rcLoadPaletteFromModelViewMatrixOES(void) {
-  enter("rcLoadPaletteFromModelViewMatrixOES", [](Context &context) {
+  enter(Call("rcLoadPaletteFromModelViewMatrixOES"), [](Context &context) {
     PaletteState &palette = context.state.palette;
     if (!palette.enabled) return context.fail(RC_INVALID_OPERATION, "the matrix palette is not enabled");
     palette.matrices[palette.current] = context.state.matrices.modelview.current();

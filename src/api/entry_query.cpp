@@ -14,9 +14,9 @@ namespace {
 
 using Kind = QueryResult::Kind;
 
-template <class Value, class Convert>
-void get(const char *function, RCenum pname, Value *params, Convert &&convert) {
-  enter(function, [&](Context &context) {
+template <class... Arguments, class Value, class Convert>
+void get(const Call<Arguments...> &call, RCenum pname, Value *params, Convert &&convert) {
+  enter(call, [&](Context &context) {
     const QueryResult result = query(context, pname);
     if (result.count == 0) return context.fail(RC_INVALID_ENUM, "0x%04X is no state that can be asked for", pname);
     for (int i = 0; params && i < result.count; ++i) params[i] = convert(result.kind, result.values[size_t(i)]);
@@ -28,21 +28,25 @@ void get(const char *function, RCenum pname, Value *params, Convert &&convert) {
 extern "C" {
 
 void rcGetBooleanv(RCenum pname, RCboolean *params) {
-  get("rcGetBooleanv", pname, params, [](Kind, double value) { return RCboolean(value != 0); });
+  get(Call("rcGetBooleanv", pname, params), pname, params, [](Kind, double value) { return RCboolean(value != 0); });
 }
 
 void rcGetFixedv(RCenum pname, RCfixed *params) {
-  get("rcGetFixedv", pname, params,
+  get(Call("rcGetFixedv", pname, params), pname, params,
       [](Kind kind, double value) { return kind == Kind::Token ? RCfixed(value) : toFixed(value); });
 }
 
 void rcGetFloatv(RCenum pname, RCfloat *params) {
-  get("rcGetFloatv", pname, params, [](Kind, double value) { return static_cast<RCfloat>(value); });
+  get(Call("rcGetFloatv", pname, params), pname, params,
+      [](Kind, double value) { return static_cast<RCfloat>(value); });
 }
 
 void rcGetIntegerv(RCenum pname, RCint *params) {
-  get("rcGetIntegerv", pname, params,
-      [](Kind kind, double value) { return roundToInt(kind == Kind::Colour ? value * 255 : value); });
+  get(Call("rcGetIntegerv", pname, params), pname, params, [](Kind kind, double value) {
+    if (kind == Kind::Colour) return roundToInt(value * 255);
+    if (kind == Kind::Clamped) return roundToInt((value * 4294967295.0 - 1) / 2);
+    return roundToInt(value);
+  });
 }
 
 }  // extern "C"

@@ -4,6 +4,7 @@
 // Entry points: scenes and frames. [spec 3.7, 7; G 8, 9]
 #include "RC/rc.h"
 #include "api/guard.h"
+#include "api/material_binding.h"
 
 using namespace rc;
 using namespace rc::api;
@@ -15,22 +16,22 @@ constexpr RCuint kDeepestBounce = 14;
 extern "C" {
 
 void rcSceneAllInit(void) {
-  enter("rcSceneAllInit", [](Context &context) {
+  enter(Call("rcSceneAllInit"), [](Context &context) {
     context.scene.clear();
-    rcBindMaterial(0);
+    bindMaterial(context, 0);
     context.touch();
   });
 }
 
 void rcStaticSceneBegin(void) {
-  enter("rcStaticSceneBegin", [](Context &context) {
+  enter(Call("rcStaticSceneBegin"), [](Context &context) {
     context.scene.beginStatic();
     context.touch();
   });
 }
 
 void rcStaticSceneEnd(void) {
-  enter("rcStaticSceneEnd", [](Context &context) {
+  enter(Call("rcStaticSceneEnd"), [](Context &context) {
     if (!context.scene.inStaticScene()) return;
     context.scene.endStatic(context.driver().accelKind(), context.driver().workers());
     context.resetMatrices();
@@ -39,15 +40,15 @@ void rcStaticSceneEnd(void) {
 }
 
 void rcFinish(void) {
-  enter("rcFinish", [](Context &context) { context.finish(); });
+  enter(Call("rcFinish"), [](Context &context) { context.finish(); });
 }
 
 void rcFlush(void) {
-  enter("rcFlush", [](Context &context) { context.finish(); });
+  enter(Call("rcFlush"), [](Context &context) { context.finish(); });
 }
 
 void rcDepthBounce(RCuint value) {
-  enter("rcDepthBounce", [&](Context &context) {
+  enter(Call("rcDepthBounce", value), [&](Context &context) {
     context.state.depthBounce = static_cast<int>(std::min(value, kDeepestBounce));
     context.touch();
   });
@@ -56,15 +57,15 @@ void rcDepthBounce(RCuint value) {
 // The second generation's calls: no range is checked, as in the original. [reference 4.12]
 
 void rcSetLightRadius(RCfloat radius) {
-  enter("rcSetLightRadius", [&](Context &context) { context.state.pathTracing.lightRadius = radius; });
+  enter(Call("rcSetLightRadius", radius), [&](Context &context) { context.state.pathTracing.lightRadius = radius; });
 }
 
 void rcSetDiffuseRate(RCuint rate) {
-  enter("rcSetDiffuseRate", [&](Context &context) { context.state.pathTracing.diffuseRate = rate; });
+  enter(Call("rcSetDiffuseRate", rate), [&](Context &context) { context.state.pathTracing.diffuseRate = rate; });
 }
 
 void rcSetSPPCount(RCuint count) {
-  enter("rcSetSPPCount", [&](Context &context) { context.state.pathTracing.sampleCount = count; });
+  enter(Call("rcSetSPPCount", count), [&](Context &context) { context.state.pathTracing.sampleCount = count; });
 }
 
 }  // extern "C"

@@ -4,47 +4,15 @@
 // Entry points: enables, hints, errors, strings. [spec 3.8; reference 4.3, 4.6]
 #include "RC/rc.h"
 #include "api/arrays.h"
-#include "api/caps.h"
 #include "api/guard.h"
+#include "api/switches.h"
 
 using namespace rc;
 using namespace rc::api;
 
 namespace {
 
-// The switch of a cap that acts, or null.
-bool *findSwitch(Context &context, RCenum cap) {
-  State &state = context.state;
-  std::vector<ddk::Light> &lights = state.light.lights;
-  if (cap >= RC_LIGHT0 && cap - RC_LIGHT0 < lights.size()) return &lights[cap - RC_LIGHT0].enabled;
-  switch (cap) {
-    case RC_LIGHTING:
-      return &state.light.lighting;
-    case RC_TEXTURE_2D:
-      return &context.boundMaterial().textures[ddk::kColourMap].enabled;
-    case RC_TEXTURE_2D_NORMAL:
-      return &context.boundMaterial().textures[ddk::kNormalMap].enabled;
-    case RC_USE_SHADOW:
-      return &state.shadow.shadow;
-    case RC_USE_COLOR_SHADOW:
-      return &state.shadow.colour;
-    case RC_USE_TRANSMITTANCE_SHADOW:
-      return &state.shadow.transmittance;
-    case RC_USE_TEXTURE_ALPHA_SHADOW:
-      return &state.shadow.textureAlpha;
-    case RC_USE_TEXTURE_ONLY:
-      return &state.textureOnly;
-    case RC_MATRIX_PALETTE_OES:
-      return &state.palette.enabled;
-    case RC_LARGE_TEXTURES:
-      return &state.texture.large;
-    default:
-      return nullptr;
-  }
-}
-
 void setSwitch(Context &context, RCenum cap, bool on) {
-  if (isInertCap(cap)) return;
   bool *found = findSwitch(context, cap);
   if (!found) return context.fail(RC_INVALID_ENUM, "0x%04X cannot be enabled", cap);
   if (cap == RC_MATRIX_PALETTE_OES) context.state.palette.current = 0;  // either way [reference 4.3]
@@ -87,33 +55,39 @@ void setHint(Context &context, RCenum target, RCenum mode) {
   context.fail(RC_INVALID_ENUM, "0x%04X is no hint", target);
 }
 
+// What goes beyond the vendor's API, by name; docs/extensions/ has a document for each.
+constexpr const char *kExtensions =
+    "RC_RCX_es11_functions RC_RCX_frame_queries RC_RCX_large_textures RC_RCX_material_emission RC_RCX_opaque_alpha "
+    "RC_RCX_packed_textures RC_RCX_trilinear RC_RCX_vertex_colors";
+
 struct StringRow {
   RCenum name;
   const char *text;
 };
-constexpr StringRow kStrings[] = {
-    {RC_VENDOR, "Siliconarts Inc."}, {RC_RENDERER, "RayCore"}, {RC_VERSION, "RayCore API 1.0"}, {RC_EXTENSIONS, ""}};
+constexpr StringRow kStrings[] = {{RC_VENDOR, "Siliconarts Inc."},
+                                  {RC_RENDERER, "RayCore"},
+                                  {RC_VERSION, "RayCore API 1.0"},
+                                  {RC_EXTENSIONS, kExtensions}};
 
 }  // namespace
 
 extern "C" {
 
 RCenum rcGetError(void) {
-  Context *context = currentContext();
-  return context ? context->takeError() : takeMissingContext();
+  if (!currentContext()) return takeMissingContext();
+  return enter(Call("rcGetError"), [](Context &context) { return context.takeError(); });
 }
 
 void rcEnable(RCenum cap) {
-  enter("rcEnable", [&](Context &context) { setSwitch(context, cap, true); });
+  enter(Call("rcEnable", cap), [&](Context &context) { setSwitch(context, cap, true); });
 }
 
 void rcDisable(RCenum cap) {
-  enter("rcDisable", [&](Context &context) { setSwitch(context, cap, false); });
+  enter(Call("rcDisable", cap), [&](Context &context) { setSwitch(context, cap, false); });
 }
 
 RCboolean rcIsEnabled(RCenum cap) {
-  return enter("rcIsEnabled", [&](Context &context) -> RCboolean {
-    if (isInertCap(cap)) return RC_FALSE;
+  return enter(Call("rcIsEnabled", cap), [&](Context &context) -> RCboolean {
     if (const ClientArray *array = findArray(context.state.arrays, cap)) return array->enabled;
     if (const bool *found = findSwitch(context, cap)) return *found;
     context.fail(RC_INVALID_ENUM, "0x%04X cannot be enabled", cap);
@@ -122,11 +96,11 @@ RCboolean rcIsEnabled(RCenum cap) {
 }
 
 void rcHint(RCenum target, RCenum mode) {
-  enter("rcHint", [&](Context &context) { setHint(context, target, mode); });
+  enter(Call("rcHint", target, mode), [&](Context &context) { setHint(context, target, mode); });
 }
 
 const RCubyte *rcGetString(RCenum name) {
-  return enter("rcGetString", [&](Context &context) -> const RCubyte * {
+  return enter(Call("rcGetString", name), [&](Context &context) -> const RCubyte * {
     for (const StringRow &row : kStrings) {
       if (row.name == name) return reinterpret_cast<const RCubyte *>(row.text);
     }

@@ -23,6 +23,12 @@ struct LightParameter {
 // Null for names that are no light parameter.
 const LightParameter *findLightParameter(RCenum name);
 
+// Values that a call with this name reads; 0 for names that are no light parameter.
+inline int lightValueCount(RCenum name) {
+  const LightParameter *parameter = findLightParameter(name);
+  return parameter ? parameter->reads : 0;
+}
+
 // Whether the values keep the parameter's rule.
 bool validLightValues(const LightParameter &parameter, const float *values);
 

@@ -26,4 +26,13 @@ struct MaterialParameter {
 // Null for names that are no material parameter. RC_AMBIENT_AND_DIFFUSE is found as RC_AMBIENT.
 const MaterialParameter *findMaterialParameter(RCenum name);
 
+// Values that a vector call with this name reads; 0 for names that are no material parameter.
+inline int materialValueCount(RCenum name, bool colouredReflection) {
+  const MaterialParameter *parameter = findMaterialParameter(name);
+  if (!parameter) return 0;
+  const bool single = parameter->kind == MaterialParameter::Kind::Scalar ||
+                      (parameter->kind == MaterialParameter::Kind::Share && !colouredReflection);
+  return single ? 1 : 3;
+}
+
 }  // namespace rc::api

@@ -2,36 +2,16 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "api/query.h"
 
-#include "RC/rc.h"
 #include "api/arrays.h"
-#include "api/caps.h"
+#include "api/switches.h"
 
 namespace rc::api {
 namespace {
 
 using Kind = QueryResult::Kind;
 
-struct QueryRow {
-  RCenum name;
-  Kind kind;
-  int count;
-  void (*read)(const Context &context, double *values);
-};
-
 void writeMatrix(const Mat4 &matrix, double *values) {
   for (int i = 0; i < 16; ++i) values[i] = matrix[i / 4][i % 4];
-}
-
-void writeColour(const Vec4 &colour, double *values) {
-  for (int i = 0; i < 4; ++i) values[i] = colour[i];
-}
-
-void writeColour(const Rgb &colour, double *values) { writeColour(Vec4(colour, 1), values); }
-
-// A row whose value never changes.
-template <int Value>
-void constant(const Context &, double *values) {
-  values[0] = Value;
 }
 
 constexpr QueryRow kRows[] = {
@@ -74,6 +54,17 @@ constexpr QueryRow kRows[] = {
      [](const Context &c, double *v) { v[0] = c.state.arrays.arrayBuffer.name; }},
     {RC_ELEMENT_ARRAY_BUFFER_BINDING, Kind::Number, 1,
      [](const Context &c, double *v) { v[0] = c.state.arrays.elementBuffer.name; }},
+    // hints
+    {RC_MIPMAP_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.mipmap; }},
+    {RC_RENDERING_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.rendering; }},
+    {RC_RAYBOUNCE_THRESHOLD_HINT, Kind::Token, 1,
+     [](const Context &c, double *v) { v[0] = c.state.hints.rayBounceThreshold; }},
+    {RC_FOG_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.fog; }},
+    {RC_GENERATE_MIPMAP_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.generateMipmap; }},
+    {RC_LINE_SMOOTH_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.lineSmooth; }},
+    {RC_PERSPECTIVE_CORRECTION_HINT, Kind::Token, 1,
+     [](const Context &c, double *v) { v[0] = c.state.hints.perspective; }},
+    {RC_POINT_SMOOTH_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.pointSmooth; }},
     // limits
     {RC_MAX_LIGHTS, Kind::Number, 1, [](const Context &c, double *v) { v[0] = c.profile().lights; }},
     {RC_MAX_MATERIALS, Kind::Number, 1, constant<int(hal::kNamedMaterials)>},
@@ -93,113 +84,11 @@ constexpr QueryRow kRows[] = {
        v[0] = double(c.lastFrame().staticTriangles + c.lastFrame().dynamicTriangles);
      }},
     {RC_FRAME_TRIANGLES_SKIPPED, Kind::Number, 1,
-     [](const Context &c, double *v) { v[0] = double(c.lastFrame().skippedTriangles); }},
+     [](const Context &c, double *v) { v[0] = double(c.lastFrame().skipped.all()); }},
     {RC_FRAME_RAYS, Kind::Number, 1, [](const Context &c, double *v) { v[0] = double(c.lastFrame().rays.all()); }},
 };
 
-// State of rasterisation has no meaning for rays: it answers with fixed values. [reference 4.11]
-struct FixedRow {
-  RCenum name;
-  Kind kind;
-  int count;
-  double value;  // of each
-};
-
-constexpr FixedRow kRasterState[] = {
-    {RC_CULL_FACE_MODE, Kind::Token, 1, RC_BACK},
-    {RC_ACTIVE_TEXTURE, Kind::Token, 1, RC_TEXTURE0},
-    {RC_CLIENT_ACTIVE_TEXTURE, Kind::Token, 1, RC_TEXTURE0},
-    {RC_MULTISAMPLE, Kind::Switch, 1, 1},
-    {RC_FRONT_FACE, Kind::Token, 1, 0},
-    {RC_MAX_CLIP_PLANES, Kind::Number, 1, 0},
-    {RC_CURRENT_TEXTURE_COORDS, Kind::Number, 4, 0},
-    {RC_ALPHA_TEST_FUNC, Kind::Token, 1, 0},
-    {RC_ALPHA_TEST_REF, Kind::Number, 1, 0},
-    {RC_SCISSOR_BOX, Kind::Number, 4, 0},
-    {RC_COLOR_WRITEMASK, Kind::Switch, 4, 0},
-    {RC_BLEND_DST, Kind::Token, 1, 0},
-    {RC_BLEND_SRC, Kind::Token, 1, 0},
-    {RC_LOGIC_OP_MODE, Kind::Token, 1, 0},
-    {RC_FOG_DENSITY, Kind::Number, 1, 0},
-    {RC_FOG_START, Kind::Number, 1, 0},
-    {RC_FOG_END, Kind::Number, 1, 0},
-    {RC_FOG_MODE, Kind::Token, 1, 0},
-    {RC_FOG_COLOR, Kind::Colour, 4, 0},
-    {RC_STENCIL_CLEAR_VALUE, Kind::Number, 1, 0},
-    {RC_STENCIL_FUNC, Kind::Token, 1, 0},
-    {RC_STENCIL_VALUE_MASK, Kind::Number, 1, 0},
-    {RC_STENCIL_FAIL, Kind::Token, 1, 0},
-    {RC_STENCIL_PASS_DEPTH_FAIL, Kind::Token, 1, 0},
-    {RC_STENCIL_PASS_DEPTH_PASS, Kind::Token, 1, 0},
-    {RC_STENCIL_REF, Kind::Number, 1, 0},
-    {RC_STENCIL_WRITEMASK, Kind::Number, 1, 0},
-    {RC_STENCIL_BITS, Kind::Number, 1, 0},
-    {RC_DEPTH_RANGE, Kind::Number, 2, 0},
-    {RC_DEPTH_WRITEMASK, Kind::Switch, 1, 0},
-    {RC_DEPTH_CLEAR_VALUE, Kind::Number, 1, 0},
-    {RC_DEPTH_FUNC, Kind::Token, 1, 0},
-    {RC_DEPTH_BITS, Kind::Number, 1, 0},
-    {RC_POINT_SIZE, Kind::Number, 1, 0},
-    {RC_POINT_SIZE_MIN, Kind::Number, 1, 0},
-    {RC_POINT_SIZE_MAX, Kind::Number, 1, 0},
-    {RC_POINT_FADE_THRESHOLD_SIZE, Kind::Number, 1, 0},
-    {RC_POINT_DISTANCE_ATTENUATION, Kind::Number, 3, 0},
-    {RC_SMOOTH_POINT_SIZE_RANGE, Kind::Number, 2, 0},
-    {RC_ALIASED_POINT_SIZE_RANGE, Kind::Number, 2, 0},
-    {RC_LINE_WIDTH, Kind::Number, 1, 0},
-    {RC_SMOOTH_LINE_WIDTH_RANGE, Kind::Number, 2, 0},
-    {RC_ALIASED_LINE_WIDTH_RANGE, Kind::Number, 2, 0},
-    {RC_POLYGON_OFFSET_UNITS, Kind::Number, 1, 0},
-    {RC_POLYGON_OFFSET_FACTOR, Kind::Number, 1, 0},
-    {RC_SAMPLE_BUFFERS, Kind::Number, 1, 0},
-    {RC_SAMPLES, Kind::Number, 1, 0},
-    {RC_SAMPLE_COVERAGE_VALUE, Kind::Number, 1, 0},
-    {RC_SAMPLE_COVERAGE_INVERT, Kind::Switch, 1, 0},
-    {RC_SHADE_MODEL, Kind::Token, 1, 0},
-    {RC_LIGHT_MODEL_AMBIENT, Kind::Colour, 4, 0},
-    {RC_LIGHT_MODEL_TWO_SIDE, Kind::Switch, 1, 0},
-    {RC_SUBPIXEL_BITS, Kind::Number, 1, 0},
-    {RC_RED_BITS, Kind::Number, 1, 0},
-    {RC_GREEN_BITS, Kind::Number, 1, 0},
-    {RC_BLUE_BITS, Kind::Number, 1, 0},
-    {RC_ALPHA_BITS, Kind::Number, 1, 0},
-    {RC_UNPACK_ALIGNMENT, Kind::Number, 1, 0},
-    {RC_PACK_ALIGNMENT, Kind::Number, 1, 0},
-    {RC_NUM_COMPRESSED_TEXTURE_FORMATS, Kind::Number, 1, 0},
-    {RC_IMPLEMENTATION_COLOR_READ_TYPE_OES, Kind::Token, 1, 0},
-    {RC_IMPLEMENTATION_COLOR_READ_FORMAT_OES, Kind::Token, 1, 0},
-    {RC_POINT_SIZE_ARRAY_OES, Kind::Switch, 1, 0},
-    {RC_POINT_SIZE_ARRAY_TYPE_OES, Kind::Token, 1, 0},
-    {RC_POINT_SIZE_ARRAY_STRIDE_OES, Kind::Number, 1, 0},
-    {RC_POINT_SIZE_ARRAY_BUFFER_BINDING_OES, Kind::Number, 1, 0},
-};
-
-// What can be enabled can be asked for by the same name.
-constexpr RCenum kSwitches[] = {
-    RC_LIGHTING,          RC_TEXTURE_2D,
-    RC_TEXTURE_2D_NORMAL, RC_USE_SHADOW,
-    RC_USE_COLOR_SHADOW,  RC_USE_TRANSMITTANCE_SHADOW,
-    RC_USE_TEXTURE_ONLY,  RC_USE_TEXTURE_ALPHA_SHADOW,
-    RC_LARGE_TEXTURES,    RC_MATRIX_PALETTE_OES,
-};
-
-bool isSwitch(const Context &context, RCenum name) {
-  if (name >= RC_LIGHT0 && name - RC_LIGHT0 < context.state.light.lights.size()) return true;
-  return findArrayTokens(name) || std::find(std::begin(kSwitches), std::end(kSwitches), name) != std::end(kSwitches);
-}
-
 QueryResult single(Kind kind, double value) { return {kind, 1, {value}}; }
-
-QueryResult queryRasterState(RCenum name) {
-  if (name == RC_CURRENT_NORMAL) return {Kind::Number, 3, {0, 0, 1}};
-  for (const FixedRow &row : kRasterState) {
-    if (row.name != name) continue;
-    QueryResult result{row.kind, row.count, {}};
-    std::fill_n(result.values.begin(), row.count, row.value);
-    return result;
-  }
-  return isInertCap(name) ? single(Kind::Switch, 0) : QueryResult{};
-}
 
 QueryResult queryArray(const ArrayState &arrays, RCenum name) {
   for (const ArrayTokens &row : kArrays) {
@@ -215,15 +104,18 @@ QueryResult queryArray(const ArrayState &arrays, RCenum name) {
 }  // namespace
 
 QueryResult query(Context &context, RCenum pname) {
-  for (const QueryRow &row : kRows) {
-    if (row.name != pname) continue;
-    QueryResult result{row.kind, row.count, {}};
-    row.read(context, result.values.data());
-    return result;
+  for (const std::span<const QueryRow> table : {std::span<const QueryRow>(kRows), rasterQueries()}) {
+    for (const QueryRow &row : table) {
+      if (row.name != pname) continue;
+      QueryResult result{row.kind, row.count, {}};
+      row.read(context, result.values.data());
+      return result;
+    }
   }
-  if (isSwitch(context, pname)) return single(Kind::Switch, rcIsEnabled(pname));
-  const QueryResult array = queryArray(context.state.arrays, pname);
-  return array.count > 0 ? array : queryRasterState(pname);
+  // What can be enabled can be asked for by the same name.
+  if (const ClientArray *array = findArray(context.state.arrays, pname)) return single(Kind::Switch, array->enabled);
+  if (const bool *found = findSwitch(context, pname)) return single(Kind::Switch, *found);
+  return queryArray(context.state.arrays, pname);
 }
 
 }  // namespace rc::api

@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// tokens.h: names of the error codes, for messages.
+// tokens.h: names of tokens, for messages and the call tracer.
 #pragma once
+
+#include <string>
+#include <string_view>
 
 #include "RC/rctokens.h"
 #include "RC/rctypes.h"
 
 namespace rc::api {
 
-inline const char *errorName(RCenum error) {
-  struct Row {
-    RCenum value;
-    const char *name;
-  };
-  static constexpr Row kErrors[] = {
-      {RC_NO_ERROR, "RC_NO_ERROR"},
-      {RC_INVALID_ENUM, "RC_INVALID_ENUM"},
-      {RC_INVALID_VALUE, "RC_INVALID_VALUE"},
-      {RC_INVALID_OPERATION, "RC_INVALID_OPERATION"},
-      {RC_STACK_OVERFLOW, "RC_STACK_OVERFLOW"},
-      {RC_STACK_UNDERFLOW, "RC_STACK_UNDERFLOW"},
-      {RC_OUT_OF_MEMORY, "RC_OUT_OF_MEMORY"},
-  };
-  for (const Row &row : kErrors) {
-    if (row.value == error) return row.name;
-  }
-  return "an unknown error";
-}
+// "RC_INVALID_ENUM"; never null.
+const char *errorName(RCenum error);
+
+// "RC_LIGHT3"; values that are no token in hexadecimal. The values below 8 have several names: `parameter`, the
+// name of the parameter that carries the value, says which is meant.
+std::string tokenName(RCenum value, std::string_view parameter);
+
+// The text with its tokens in hexadecimal replaced by their names: "0x1208" becomes "RC_SPOT_CUTOFF".
+std::string withTokenNames(std::string_view text);
 
 }  // namespace rc::api

@@ -86,6 +86,7 @@ Settings readSettings(EnvironmentLookup lookup, std::string &report) {
   reader.number("RAYCORE_FRAMES", 1, 1000000000, settings.frames);
   reader.text("RAYCORE_CAPTURE", settings.capture);
   reader.choice("RAYCORE_LOG", kLogLevels, settings.log);
+  reader.text("RAYCORE_TRACE", settings.trace);
   reader.choice("RAYCORE_TEST", kSwitch, settings.test);
   return settings;
 }

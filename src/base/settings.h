@@ -22,6 +22,7 @@ struct Settings {
   int frames = 0;                       // RAYCORE_FRAMES: the process ends after n swaps; 0 = never
   std::string capture;                  // RAYCORE_CAPTURE: file.png, file.ppm, frame-%04d.png
   LogLevel log = LogLevel::Warning;     // RAYCORE_LOG
+  std::string trace;                    // RAYCORE_TRACE: a file for every rc* call; "-" is stderr
   bool test = false;                    // RAYCORE_TEST=1: RCFramework's test mode
 
   bool operator==(const Settings &) const = default;

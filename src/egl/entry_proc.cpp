@@ -17,10 +17,12 @@ using Function = __eglMustCastToProperFunctionPointerType;
 // Made on first use: programs ask from constructors of globals.
 std::span<const NamedFunction> entryFunctions() {
 #define RC_ENTRY(entry) {#entry, reinterpret_cast<Function>(entry)},
+#define RC_FUNCTION(result, name, ...) RC_ENTRY(name)
   static const NamedFunction kEntries[] = {
-#include "api/entry_points.inc"
+#include "api/functions.inc"
 #include "egl/entry_points.inc"
   };
+#undef RC_FUNCTION
 #undef RC_ENTRY
   return kEntries;
 }

@@ -26,10 +26,10 @@ void TextureBinding::bind(api::Context &context, Surface &surface) {
   const std::lock_guard lock(context.objects().mutex);
   const hal::Target picture = surface.picture();
   const bool withAlpha = surface.attributes.textureFormat == EGL_TEXTURE_RGBA;
-  const std::vector<uint32_t> texels = texelsOf(picture, withAlpha, context.state.texture.alpha);
   const std::shared_ptr<ddk::Texture> &texture = context.state.texture.bound[ddk::kColourMap].texture;
-  texture->image = ddk::makeImage(ddk::PixelLayout::Rgba8, picture.width, picture.height, texels.data(), 255,
-                                  surface.attributes.mipmapTexture != EGL_FALSE);
+  texture->image = ddk::makeImage(texelsOf(picture, withAlpha, context.state.texture.alpha), picture.width,
+                                  picture.height, surface.attributes.mipmapTexture != EGL_FALSE);
+  texture->format = withAlpha ? RC_RGBA : RC_RGB;
   mTexture = texture;
   mObjects = context.shared();
   mTexels = texture->image.levels[0].data();

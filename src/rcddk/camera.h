@@ -10,6 +10,7 @@ namespace rc::ddk {
 
 struct Window {
   double left, right, bottom, top, near;
+  bool parallel = false;  // rays do not leave one eye but run side by side [rcOrtho]
 
   static Window perspective(double fovyDegrees, double aspect, double near) {
     const double halfHeight = near * std::tan(glm::radians(fovyDegrees) / 2);
@@ -32,6 +33,7 @@ struct Camera {
     view.near = static_cast<float>(window.near);
     view.columns = columns;
     view.rows = rows;
+    view.parallel = window.parallel;
     return view;
   }
 };

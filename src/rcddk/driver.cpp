@@ -36,6 +36,10 @@ class Snapshot {
     mView.maxBounces = state.maxBounces;
     mView.samples = state.samples;
     mView.minWeight = state.minWeight;
+    mView.globalAmbient = state.globalAmbient;
+    mView.fog = state.fog;
+    mView.scissor = state.scissor;
+    mView.writeMask = state.writeMask;
     mView.shadows = state.shadows;
     mView.mipmaps = state.mipmaps;
   }
@@ -43,12 +47,15 @@ class Snapshot {
   Snapshot &operator=(const Snapshot &) = delete;
 
   const hal::SceneView &view() const { return mView; }
+  bool hasDefaultLight() const { return mDefaultLight; }
 
  private:
   void rowsOf(std::span<const Material> materials, bool colourShadow, std::vector<hal::MaterialRow> &rows) {
     rows.reserve(materials.size());
     for (const Material &material : materials) {
-      rows.push_back(materialRow(material, textureIndex(material.visibleTexture()), colourShadow));
+      rows.push_back(materialRow(material, colourShadow));
+      rows.back().texture = textureIndex(material.visibleTexture(kColourMap));
+      rows.back().normalMap = textureIndex(material.visibleTexture(kNormalMap));
     }
   }
 
@@ -63,7 +70,8 @@ class Snapshot {
     for (const Light &light : state.lights) {
       if (state.lighting && light.enabled) mLights.push_back(lightRow(light));
     }
-    if (mLights.empty()) mLights.push_back(defaultLightRow(state.defaultLight));
+    mDefaultLight = mLights.empty();
+    if (mDefaultLight) mLights.push_back(defaultLightRow(state.defaultLight));
   }
 
   static hal::GeometryView geometryView(const GeometrySet &set, std::span<const hal::MaterialRow> captured) {
@@ -74,6 +82,7 @@ class Snapshot {
   std::vector<hal::TextureView> mTextures;
   std::unordered_map<const Texture *, int32_t> mIndices;
   std::vector<hal::LightRow> mLights;
+  bool mDefaultLight = false;
   hal::SceneView mView;
 };
 
@@ -100,7 +109,9 @@ FrameStats Driver::trace(const FrameState &state, Scene &scene, const hal::Targe
   stats.height = target.height;
   stats.staticTriangles = scene.statics().triangles.size();
   stats.dynamicTriangles = scene.dynamics().triangles.size();
-  stats.skippedTriangles = scene.statics().skipped + scene.dynamics().skipped;
+  stats.skipped = scene.statics().skipped + scene.dynamics().skipped;
+  stats.lights = snapshot.view().lights.size();
+  stats.defaultLight = snapshot.hasDefaultLight();
   return stats;
 }
 

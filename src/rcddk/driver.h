@@ -8,6 +8,7 @@
 #include <span>
 
 #include "rcddk/camera.h"
+#include "rcddk/frame_stats.h"
 #include "rcddk/light.h"
 #include "rcddk/scene.h"
 #include "rchal/device.h"
@@ -27,13 +28,10 @@ struct FrameState {
   int maxBounces = 10;
   int samples = 1;
   float minWeight = 0;
-};
-
-struct FrameStats {
-  int width = 0, height = 0;
-  size_t staticTriangles = 0, dynamicTriangles = 0, skippedTriangles = 0;
-  hal::RayCounts rays;
-  double buildMilliseconds = 0, traceMilliseconds = 0;
+  Rgb globalAmbient{0};
+  hal::Fog fog;
+  std::optional<hal::PixelRect> scissor;
+  uint32_t writeMask = ~0u;
 };
 
 class Driver {

@@ -4,6 +4,8 @@
 
 #include <cstring>
 
+#include "rcddk/clip.h"
+
 namespace rc::ddk {
 namespace {
 
@@ -75,24 +77,25 @@ size_t loadIndex(const IndexView &indices, size_t i) {
   return indices.first + i;
 }
 
-// Calls emit with the three vertices of each triangle, numbered within the draw call.
+// Calls emit with the three vertices of each triangle and the last one of its primitive, all numbered within the
+// draw call.
 template <class Emit>
 void forEachTriangle(Primitive primitive, size_t count, Emit &&emit) {
   switch (primitive) {
     case Primitive::Triangles:
-      for (size_t i = 0; i + 3 <= count; i += 3) emit(i, i + 1, i + 2);
+      for (size_t i = 0; i + 3 <= count; i += 3) emit(i, i + 1, i + 2, i + 2);
       break;
     case Primitive::Quads:
       for (size_t i = 0; i + 4 <= count; i += 4) {
-        emit(i, i + 1, i + 2);
-        emit(i, i + 2, i + 3);
+        emit(i, i + 1, i + 2, i + 3);
+        emit(i, i + 2, i + 3, i + 3);
       }
       break;
     case Primitive::TriangleFan:
-      for (size_t i = 2; i < count; ++i) emit(size_t{0}, i - 1, i);
+      for (size_t i = 2; i < count; ++i) emit(size_t{0}, i - 1, i, i);
       break;
     case Primitive::TriangleStrip:  // every second triangle is turned round, so that all face the same way
-      for (size_t i = 2; i < count; ++i) i % 2 == 0 ? emit(i - 2, i - 1, i) : emit(i - 1, i - 2, i);
+      for (size_t i = 2; i < count; ++i) i % 2 == 0 ? emit(i - 2, i - 1, i, i) : emit(i - 1, i - 2, i, i);
       break;
   }
 }
@@ -127,35 +130,55 @@ class Assembler {
     mElements = std::min({mElements, call.matrixIndices.elements, call.weights.elements});
   }
 
-  void add(size_t i0, size_t i1, size_t i2) {
+  // A triangle of the draw call; `last` is the vertex that counts where shading is flat.
+  void add(size_t i0, size_t i1, size_t i2, size_t last) {
     const size_t elements[3] = {loadIndex(mCall.indices, i0), loadIndex(mCall.indices, i1),
                                 loadIndex(mCall.indices, i2)};
-    for (const size_t element : elements) {
-      if (element < mElements) continue;
-      ++mSet.skipped;
-      return;
+    const size_t shading = mCall.flatShading ? loadIndex(mCall.indices, last) : 0;
+    for (const size_t element : {elements[0], elements[1], elements[2], shading}) {
+      if (element >= mElements) return void(++mSet.skipped.noData);
     }
-    hal::HotTriangle triangle{position(elements[0]), position(elements[1]), position(elements[2]),
-                              mCall.material,        mCall.flags,           0};
-    const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
-    // Not finite, or without area as far as float can tell: the hit point would have no normal.
-    if (!isFinite(triangle.v0 + triangle.v1 + triangle.v2) || !isFinite(edges) || !(glm::length(edges) > 0)) {
-      ++mSet.skipped;
-      return;
-    }
+    Corner corners[3];
+    for (size_t i = 0; i < 3; ++i) corners[i] = corner(elements[i], mCall.flatShading ? shading : elements[i]);
+    const bool finite = isFinite(corners[0].position + corners[1].position + corners[2].position);
+    if (mCall.clipPlanes.empty() || !finite) return addTriangle(corners[0], corners[1], corners[2]);
+    const std::span<const Corner> left = mClipper.clip(corners, mCall.clipPlanes);
+    if (left.empty()) ++mSet.skipped.clipped;
+    for (size_t i = 2; i < left.size(); ++i) addTriangle(left[0], left[i - 1], left[i]);
+  }
+
+ private:
+  Corner corner(size_t element, size_t shading) const {
+    Corner corner{.position = position(element), .uv = texCoord(element)};
+    if (mCall.normals.data) corner.normal = normal(shading);
+    if (mCall.colors.data) corner.color = glm::clamp(loadColor(mCall.colors, shading), 0.0f, 1.0f);
+    return corner;
+  }
+
+  void addTriangle(const Corner &a, const Corner &b, const Corner &c) {
+    const Corner *corners[3] = {&a, &b, &c};
+    hal::HotTriangle triangle{
+        a.position, b.position, c.position, mCall.material, mCall.flags & ~uint32_t{hal::kTangentFrame}, 0};
+    const Vec3 edges = glm::cross(b.position - a.position, c.position - a.position);
+    if (!isFinite(a.position + b.position + c.position) || !isFinite(edges)) return void(++mSet.skipped.notFinite);
+    // Without area as far as float can tell: the hit point would have no normal.
+    if (!(glm::length(edges) > 0)) return void(++mSet.skipped.degenerate);
+
     hal::TriangleAttributes attributes{};
-    for (size_t corner = 0; corner < 3; ++corner) {
-      if (mCall.texCoords.data) attributes.uv[corner] = texCoord(elements[corner]);
-      if (mCall.colors.data)
-        attributes.color[corner] = glm::clamp(loadColor(mCall.colors, elements[corner]), 0.0f, 1.0f);
+    for (size_t i = 0; i < 3; ++i) {
+      attributes.uv[i] = corners[i]->uv;
+      attributes.color[i] = corners[i]->color;
     }
     if (mCall.colors.data) triangle.flags |= hal::kHasColors;
-    if (mCall.normals.data && readNormals(elements, edges, attributes)) triangle.flags |= hal::kHasNormals;
+    if (mCall.flags & hal::kTangentFrame) {
+      if (setTangentFrame(triangle, edges, attributes)) triangle.flags |= hal::kTangentFrame;
+    } else if (mCall.normals.data && setNormals(corners, edges, attributes)) {
+      triangle.flags |= hal::kHasNormals;
+    }
     mSet.triangles.push_back(triangle);
     mSet.attributes.push_back(attributes);
   }
 
- private:
   // The palette acts after the modelview matrix.
   Vec3 position(size_t element) const {
     const Vec4 world = mCall.worldFromObject * Vec4(loadVec3(mCall.vertices, element), 1);
@@ -168,38 +191,60 @@ class Assembler {
   }
 
   Vec2 texCoord(size_t element) const {
-    const Vec4 coordinate = mCall.textureMatrix * Vec4(loadVec2(mCall.texCoords, element), 0, 1);
+    const Vec4 given = mCall.texCoords.data ? Vec4(loadVec2(mCall.texCoords, element), 0, 1) : mCall.texCoord;
+    const Vec4 coordinate = mCall.textureMatrix * given;
     const float q = coordinate.w != 0 ? coordinate.w : 1;
     return Vec2(coordinate) / q;
   }
 
   // False where no corner has a usable normal; a corner without one gets the flat normal.
-  bool readNormals(const size_t (&elements)[3], const Vec3 &edges, hal::TriangleAttributes &attributes) const {
+  static bool setNormals(const Corner *const (&corners)[3], const Vec3 &edges, hal::TriangleAttributes &attributes) {
     const Vec3 flat = glm::normalize(edges);
     bool usable = false;
-    for (size_t corner = 0; corner < 3; ++corner) {
-      const Vec3 given = normal(elements[corner]);
+    for (size_t i = 0; i < 3; ++i) {
+      const Vec3 given = corners[i]->normal;
       const bool valid = isFinite(given) && glm::length(given) > 0;
-      attributes.normal[corner] = valid ? normalizedOr(given, flat) : flat;
+      attributes.normal[i] = valid ? normalizedOr(given, flat) : flat;
       usable |= valid;
     }
     return usable;
+  }
+
+  // Directions in which s and t grow, and the flat normal; false where the texture coordinates span nothing.
+  // [reference 4.5]
+  static bool setTangentFrame(const hal::HotTriangle &triangle, const Vec3 &edges,
+                              hal::TriangleAttributes &attributes) {
+    const Vec3 e1 = triangle.v1 - triangle.v0, e2 = triangle.v2 - triangle.v0;
+    const Vec2 d1 = attributes.uv[1] - attributes.uv[0], d2 = attributes.uv[2] - attributes.uv[0];
+    const float turn = d1.x * d2.y - d2.x * d1.y;
+    if (turn == 0 || !std::isfinite(turn)) return false;
+    const float sign = turn > 0 ? 1.0f : -1.0f;
+    const Vec3 none(0);
+    const Vec3 tangent = normalizedOr(sign * (d2.y * e1 - d1.y * e2), none);
+    const Vec3 bitangent = normalizedOr(sign * (d1.x * e2 - d2.x * e1), none);
+    if (tangent == none || bitangent == none) return false;
+    attributes.normal[0] = tangent;
+    attributes.normal[1] = bitangent;
+    attributes.normal[2] = glm::normalize(edges);
+    return true;
   }
 
   const DrawCall &mCall;
   GeometrySet &mSet;
   glm::mat3 mNormalMatrix;
   size_t mElements = SIZE_MAX;  // that every array has
+  Clipper mClipper;
 };
 
 }  // namespace
 
 void appendTriangles(const DrawCall &call, GeometrySet &set) {
-  const size_t before = set.triangles.size(), skipped = set.skipped;
+  const size_t before = set.triangles.size();
+  const SkippedTriangles skipped = set.skipped;
   try {
     Assembler assembler(call, set);
     forEachTriangle(call.primitive, call.indices.count,
-                    [&](size_t i0, size_t i1, size_t i2) { assembler.add(i0, i1, i2); });
+                    [&](size_t i0, size_t i1, size_t i2, size_t last) { assembler.add(i0, i1, i2, last); });
   } catch (...) {  // out of memory: as if nothing had been drawn
     set.triangles.resize(before);
     set.attributes.resize(before);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rcddk/accel/builder.h"
+#include "rcddk/frame_stats.h"
 #include "rcddk/material.h"
 
 namespace rc::ddk {
@@ -43,8 +44,11 @@ struct DrawCall {
   std::span<const Mat4> palette;     // empty where there is no skinning
   Mat4 worldFromObject{1};
   Mat4 textureMatrix{1};
-  uint32_t material = 0;  // as in hal::HotTriangle
-  uint32_t flags = 0;     // hal::TriangleFlag, without those of the arrays
+  Vec4 texCoord{0, 0, 0, 1};         // of all vertices where there is no array
+  std::span<const Vec4> clipPlanes;  // world space; what lies on a negative side is cut off
+  bool flatShading = false;          // normal and colour of a primitive's last vertex count for all of it
+  uint32_t material = 0;             // as in hal::HotTriangle
+  uint32_t flags = 0;                // hal::TriangleFlag, without those of the arrays; kTangentFrame is a wish
 };
 
 // The static scene or one frame's dynamic geometry.
@@ -53,7 +57,7 @@ struct GeometrySet {
   std::vector<hal::TriangleAttributes> attributes;
   std::vector<Material> captured;  // of draws without a material object
   Accel accel;
-  size_t skipped = 0;  // triangles that are degenerate, not finite, or beyond the end of a buffer object
+  SkippedTriangles skipped;
   bool filtersShadow = false;
 
   bool empty() const { return triangles.empty(); }

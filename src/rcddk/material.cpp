@@ -15,9 +15,31 @@ Rgb shadowTint(const Rgb &transmittance, const Rgb &diffuse, bool colourShadow) 
   return tint;
 }
 
+// The material's wrap modes if it has them, else the texture's.
+hal::Wraps wrapsOf(const TextureUse &use) {
+  if (!use.texture) return {};
+  return {wrapOf(use.wrapS.value_or(use.texture->wrapS)), wrapOf(use.wrapT.value_or(use.texture->wrapT))};
+}
+
+// A combiner is shaded as its initial state, which modulates.
+hal::TextureEnv environmentOf(RCenum mode) {
+  switch (mode) {
+    case RC_REPLACE:
+      return hal::TextureEnv::Replace;
+    case RC_DECAL:
+      return hal::TextureEnv::Decal;
+    case RC_BLEND:
+      return hal::TextureEnv::Blend;
+    case RC_ADD:
+      return hal::TextureEnv::Add;
+    default:
+      return hal::TextureEnv::Modulate;
+  }
+}
+
 }  // namespace
 
-hal::MaterialRow materialRow(const Material &material, int32_t texture, bool colourShadow) {
+hal::MaterialRow materialRow(const Material &material, bool colourShadow) {
   hal::MaterialRow row;
   row.ambient = material.ambient;
   row.diffuse = material.diffuse;
@@ -34,12 +56,10 @@ hal::MaterialRow materialRow(const Material &material, int32_t texture, bool col
   row.shadowTint = shadowTint(row.transmittance, material.diffuse, colourShadow);
   row.shininess = material.shininess;
   row.refractionIndex = material.refractionIndex > 0 ? material.refractionIndex : 1;  // 0 bends nothing
-  row.texture = texture;
-  const TextureUse &use = material.textures[kColourMap];
-  if (use.texture) {
-    row.wrapS = wrapOf(use.wrapS.value_or(use.texture->wrapS));
-    row.wrapT = wrapOf(use.wrapT.value_or(use.texture->wrapT));
-  }
+  row.textureWrap = wrapsOf(material.textures[kColourMap]);
+  row.normalWrap = wrapsOf(material.textures[kNormalMap]);
+  row.textureEnv = environmentOf(material.textureEnvMode);
+  row.textureEnvColor = Rgb(material.textureEnvColor);
   return row;
 }
 

@@ -33,17 +33,19 @@ struct Material {
   float specularLevel = 1;  // the profile may say 0
   float roughness = 0;      // second generation; stored
   std::array<TextureUse, kTextureSlots> textures;
+  RCenum textureEnvMode = RC_REPLACE;  // how the texel and the colours meet [spec 3.4]
+  Vec4 textureEnvColor{0};
 
   bool operator==(const Material &) const = default;
 
-  // The texture that shading reads, or null.
-  const Texture *visibleTexture() const {
-    const TextureUse &use = textures[kColourMap];
+  // The texture that shading reads in a place, or null.
+  const Texture *visibleTexture(TextureSlot slot) const {
+    const TextureUse &use = textures[slot];
     return use.enabled && use.texture && use.texture->loaded() ? use.texture.get() : nullptr;
   }
 };
 
-// The material as the device sees it; `texture` is its index among the frame's textures or kNoTexture.
-hal::MaterialRow materialRow(const Material &material, int32_t texture, bool colourShadow);
+// The material as the device sees it, but for the indices of its textures.
+hal::MaterialRow materialRow(const Material &material, bool colourShadow);
 
 }  // namespace rc::ddk

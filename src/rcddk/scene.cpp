@@ -11,7 +11,7 @@ void recycle(GeometrySet &set) {
   set.attributes.clear();
   set.captured.clear();
   set.accel = {};
-  set.skipped = 0;
+  set.skipped = {};
   set.filtersShadow = false;
 }
 

@@ -56,22 +56,45 @@ std::vector<uint32_t> halve(const std::vector<uint32_t> &fine, int width, int he
   return coarse;
 }
 
-}  // namespace
-
-Image makeImage(PixelLayout layout, int width, int height, const void *pixels, uint8_t alpha, bool mipmaps) {
-  Image image{{}, width, height};
-  std::vector<uint32_t> &base = image.levels.emplace_back(size_t(width) * size_t(height));
-  const auto *at = static_cast<const uint8_t *>(pixels);
-  for (uint32_t &texel : base) {
-    texel = readTexel(layout, at, alpha);
-    at += texelBytes(layout);
-  }
-  while (mipmaps && (width > 1 || height > 1)) {
+// All levels after the first, anew.
+void makeMipLevels(Image &image) {
+  image.levels.resize(1);
+  int width = image.width, height = image.height;
+  while (width > 1 || height > 1) {
     image.levels.push_back(halve(image.levels.back(), width, height));
     width = std::max(width / 2, 1);
     height = std::max(height / 2, 1);
   }
+}
+
+}  // namespace
+
+std::vector<uint32_t> readTexels(const PixelSource &source, int width, int height, uint8_t alpha) {
+  const size_t texel = texelBytes(source.layout), alignment = size_t(source.alignment);
+  const size_t rowBytes = (size_t(width) * texel + alignment - 1) / alignment * alignment;
+  std::vector<uint32_t> texels;
+  texels.reserve(size_t(width) * size_t(height));
+  for (size_t y = 0; y < size_t(height); ++y) {
+    const uint8_t *row = static_cast<const uint8_t *>(source.pixels) + y * rowBytes;
+    for (size_t x = 0; x < size_t(width); ++x) texels.push_back(readTexel(source.layout, row + x * texel, alpha));
+  }
+  return texels;
+}
+
+Image makeImage(std::vector<uint32_t> base, int width, int height, bool mipmaps) {
+  Image image{{}, width, height};
+  image.levels.push_back(std::move(base));
+  if (mipmaps) makeMipLevels(image);
   return image;
+}
+
+void replacePart(Image &image, const hal::PixelRect &part, std::span<const uint32_t> texels) {
+  for (int y = 0; y < part.rows; ++y) {
+    const auto row = texels.subspan(size_t(y) * size_t(part.columns), size_t(part.columns));
+    std::copy(row.begin(), row.end(),
+              image.levels[0].begin() + (std::ptrdiff_t{part.row} + y) * image.width + part.column);
+  }
+  if (image.levels.size() > 1) makeMipLevels(image);
 }
 
 hal::TextureView Texture::view() const {
@@ -81,6 +104,7 @@ hal::TextureView Texture::view() const {
   view.height = image.height;
   view.levelCount = static_cast<int>(image.levels.size());
   view.trilinear = minFilter == RC_LINEAR_MIPMAP_LINEAR;
+  view.hasAlpha = format != RC_RGB;
   view.opaqueAlpha = static_cast<float>(opaqueAlpha);
   return view;
 }

@@ -20,14 +20,28 @@ struct Image {
   int width = 0, height = 0;                  // of level 0; 0 where nothing was loaded
 };
 
-// pixels: width * height tight texels; alpha: what texels without one get. width, height: powers of two.
-Image makeImage(PixelLayout layout, int width, int height, const void *pixels, uint8_t alpha, bool mipmaps);
+// Texels in client memory, the lowest row first; a row begins at a multiple of `alignment` bytes from the first one.
+struct PixelSource {
+  PixelLayout layout;
+  const void *pixels;
+  int alignment = 1;
+};
+
+// As RGBA8; alpha: what texels without one get.
+std::vector<uint32_t> readTexels(const PixelSource &source, int width, int height, uint8_t alpha);
+
+// base: width * height texels. width, height: powers of two.
+Image makeImage(std::vector<uint32_t> base, int width, int height, bool mipmaps);
+
+// Replaces a rectangle of level 0 by its texels, and the mip levels, if there are some, by new ones.
+void replacePart(Image &image, const hal::PixelRect &part, std::span<const uint32_t> texels);
 
 struct Texture {
   Image image;
   RCenum wrapS = RC_REPEAT, wrapT = RC_REPEAT;
   RCenum minFilter = RC_NEAREST_MIPMAP_LINEAR, magFilter = RC_LINEAR;  // GL's initial values
   int opaqueAlpha = 16;
+  RCenum format = 0;  // RC_RGB or RC_RGBA, as loaded
 
   bool loaded() const { return image.width > 0; }
   hal::TextureView view() const;

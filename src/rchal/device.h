@@ -23,6 +23,7 @@ struct Target {
 // Rays of one frame, by kind.
 struct RayCounts {
   uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0, straight = 0;
+  uint64_t primaryHits = 0;  // primary rays that met something
 
   uint64_t all() const { return primary + shadow + reflected + refracted + straight; }
   RayCounts &operator+=(const RayCounts &other) {
@@ -31,6 +32,7 @@ struct RayCounts {
     reflected += other.reflected;
     refracted += other.refracted;
     straight += other.straight;
+    primaryHits += other.primaryHits;
     return *this;
   }
 };
@@ -51,6 +53,14 @@ struct Hit {
   bool found() const { return primitive != kNoPrimitive; }
 };
 static_assert(sizeof(Hit) == 16);
+
+// A place in the order of hits along a ray.
+struct HitOrder {
+  float t = 0;
+  uint32_t primitive = kNoPrimitive;  // the default lies before every hit at t > 0
+
+  bool operator<(const HitOrder &other) const { return t < other.t || (t == other.t && primitive < other.primitive); }
+};
 
 class Device {
  public:

@@ -13,24 +13,21 @@
 #include <vector>
 
 #include "rchal/framebuffer.h"
+#include "rchal/units/fog.h"
 #include "rchal/units/ray_generation.h"
 #include "rchal/units/shading.h"
 #include "rchal/units/shadow.h"
+#include "rchal/units/traversal.h"
 
 namespace rc::hal {
 
-// A rectangle of the viewport, in pixels; rows are counted from the bottom.
-struct Tile {
-  int column, row, columns, rows;
-
-  int pixels() const { return columns * rows; }
-};
+using Tile = PixelRect;  // of the viewport; small enough for the queues of its rays
 
 // How a device answers questions to the traversal unit. This one asks the scalar unit, ray by ray.
 struct ScalarTraversal {
   static void closestHits(const SceneView &scene, const RayQueue &rays, size_t first, HitQueue &hits) {
     hits.clear();
-    for (size_t i = first; i < rays.size(); ++i) hits.push_back(closestHit(scene, rays.ray(i)));
+    for (size_t i = first; i < rays.size(); ++i) hits.push_back(nextHit(scene, rays.ray(i), rays.after[i], kInfinity));
   }
   static void addVisible(const SceneView &scene, const ShadowQueue &shadows, std::span<Rgb> sum) {
     for (size_t i = 0; i < shadows.size(); ++i) {
@@ -48,17 +45,17 @@ class TileTracer {
 
   void trace(const SceneView &scene, const Tile &tile, const Target &target) {
     if (mQueues.size() < size_t(scene.maxBounces) + 2) mQueues.resize(size_t(scene.maxBounces) + 2);
-    mPicture.assign(size_t(tile.pixels()), Rgb(0));
+    mPicture.assign(size_t(tile.columns * tile.rows), Rgb(0));
     for (int sample = 0; sample < scene.samples; ++sample) {
-      mSum.assign(size_t(tile.pixels()), Rgb(0));
+      mSum.assign(size_t(tile.columns * tile.rows), Rgb(0));
       generatePrimaryRays(scene, tile, samplePosition(sample, scene.samples));
       traceGenerations(scene);
       for (size_t i = 0; i < mSum.size(); ++i) mPicture[i] += glm::clamp(mSum[i], 0.0f, 1.0f);
     }
     const float share = 1.0f / static_cast<float>(scene.samples);
-    for (int i = 0; i < tile.pixels(); ++i) {
-      const int x = tile.column + i % tile.columns, y = target.height - 1 - (tile.row + i / tile.columns);
-      target.pixels[size_t(y) * size_t(target.width) + size_t(x)] = packColour(mPicture[size_t(i)] * share);
+    for (int i = 0; i < tile.columns * tile.rows; ++i) {
+      uint32_t &pixel = pixelAt(target, tile.column + i % tile.columns, tile.row + i / tile.columns);
+      store(pixel, packColour(mPicture[size_t(i)] * share), scene.writeMask);
     }
   }
 
@@ -66,12 +63,12 @@ class TileTracer {
 
  private:
   void generatePrimaryRays(const SceneView &scene, const Tile &tile, Vec2 offset) {
-    for (int i = 0; i < tile.pixels(); ++i) {
+    for (int i = 0; i < tile.columns * tile.rows; ++i) {
       RayItem item = primaryRay(scene.camera, tile.column + i % tile.columns, tile.row + i / tile.columns, offset);
       item.pixel = static_cast<uint32_t>(i);
       mQueues[0].push(item);
     }
-    mCounts.primary += size_t(tile.pixels());
+    mCounts.primary += size_t(tile.columns * tile.rows);
   }
 
   void traceGenerations(const SceneView &scene) {
@@ -93,11 +90,14 @@ class TileTracer {
 
     const Outputs out{mSum, mShadows, queue, next, mCounts};
     for (size_t i = 0; i < mItems.size(); ++i) {
-      if (mHits[i].found()) {
-        Shader(scene, mItems[i], mHits[i], out).shade();
-      } else {
-        mSum[mItems[i].pixel] += mItems[i].weight * scene.clearColor;
+      RayItem &item = mItems[i];
+      if (!mHits[i].found()) {
+        mSum[item.pixel] += item.weight * scene.clearColor;
+        continue;
       }
+      if (item.bounces == 0 && item.after.primitive == kNoPrimitive) ++mCounts.primaryHits;
+      mSum[item.pixel] += passFog(scene.fog, item, mHits[i].t);
+      Shader(scene, item, mHits[i], out).shade();
     }
     Traversal::addVisible(scene, mShadows, mSum);
     mShadows.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// framebuffer.h: colours to bytes, and the part of the target that no ray reaches. [spec 3.1, 4]
+// framebuffer.h: colours to bytes, and which pixels of the target are written and traced. [spec 3.1, 4]
 #pragma once
 
 #include "rchal/device.h"
@@ -14,13 +14,24 @@ inline uint32_t packColour(const Rgb &colour) {
   return byte(colour.x) | byte(colour.y) << 8 | byte(colour.z) << 16 | 0xff000000u;
 }
 
-// Fills what lies right of or above the viewport with the clear colour.
-void clearOutsideViewport(const SceneView &scene, const Target &target);
+// The pixel of a column and a row counted from the bottom.
+inline uint32_t &pixelAt(const Target &target, int column, int row) {
+  return target.pixels[size_t(target.height - 1 - row) * size_t(target.width) + size_t(column)];
+}
 
-// Columns and rows of the picture that are both in the viewport and on the target.
-struct Visible {
-  int columns, rows;
-};
-Visible visiblePart(const SceneView &scene, const Target &target);
+// Replaces the bits that may be written. [rcColorMask]
+inline void store(uint32_t &pixel, uint32_t value, uint32_t writeMask) {
+  pixel = (pixel & ~writeMask) | (value & writeMask);
+}
+
+// Fills a part of the target with the clear colour.
+void clear(const SceneView &scene, const Target &target, const PixelRect &part);
+
+// The part of the target that a frame writes: all of it, or what the scissor box leaves. [rcScissor]
+PixelRect writtenPart(const SceneView &scene, const Target &target);
+
+// The part of it that rays are traced for: what lies in the viewport. The rest is cleared.
+PixelRect tracedPart(const SceneView &scene, const Target &target);
+void clearOutsideViewport(const SceneView &scene, const Target &target);
 
 }  // namespace rc::hal

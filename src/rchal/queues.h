@@ -32,45 +32,61 @@ struct Vec3Column {
 // A ray on its way to the traversal unit, and what its result counts for.
 struct RayItem {
   Ray ray;
-  Rgb weight{1};         // share of the pixel's colour
-  float coneWidth = 0;   // diameter of the footprint at the origin, world units
-  float coneSpread = 0;  // growth of it for each unit of distance
-  uint32_t pixel = 0;    // within the tile
-  uint8_t bounces = 0;   // reflections and refractions so far
-  uint8_t layers = 0;    // transparent texels passed so far
+  HitOrder after;          // hits up to here are done: they were not, or not wholly, there
+  bool afterSeen = false;  // something of the last one was
+  Rgb weight{1};           // share of the pixel's colour
+  float coneWidth = 0;     // diameter of the footprint at the origin, world units
+  float coneSpread = 0;    // growth of it for each unit of distance; below 0 it narrows to a focus
+  float travelled = 0;     // way from the eye to the origin
+  uint32_t pixel = 0;      // within the tile
+  uint8_t bounces = 0;     // reflections and refractions so far
 };
 
 struct RayQueue {
   Vec3Column origin, direction, weight;
-  std::vector<float> coneWidth, coneSpread;
+  std::vector<HitOrder> after;
+  std::vector<uint8_t> afterSeen;
+  std::vector<float> coneWidth, coneSpread, travelled;
   std::vector<uint32_t> pixel;
-  std::vector<uint8_t> bounces, layers;
+  std::vector<uint8_t> bounces;
 
   size_t size() const { return pixel.size(); }
   void push(const RayItem &item) {
     origin.push(item.ray.origin);
     direction.push(item.ray.direction);
+    after.push_back(item.after);
+    afterSeen.push_back(item.afterSeen);
     weight.push(item.weight);
     coneWidth.push_back(item.coneWidth);
     coneSpread.push_back(item.coneSpread);
+    travelled.push_back(item.travelled);
     pixel.push_back(item.pixel);
     bounces.push_back(item.bounces);
-    layers.push_back(item.layers);
   }
   RayItem operator[](size_t i) const {
-    return {{origin[i], direction[i]}, weight[i], coneWidth[i], coneSpread[i], pixel[i], bounces[i], layers[i]};
+    return {.ray = {origin[i], direction[i]},
+            .after = after[i],
+            .afterSeen = afterSeen[i] != 0,
+            .weight = weight[i],
+            .coneWidth = coneWidth[i],
+            .coneSpread = coneSpread[i],
+            .travelled = travelled[i],
+            .pixel = pixel[i],
+            .bounces = bounces[i]};
   }
   Ray ray(size_t i) const { return {origin[i], direction[i]}; }
   // Keeps the first `size` items.
   void truncate(size_t size) {
     origin.resize(size);
     direction.resize(size);
+    after.resize(size);
+    afterSeen.resize(size);
     weight.resize(size);
     coneWidth.resize(size);
     coneSpread.resize(size);
+    travelled.resize(size);
     pixel.resize(size);
     bounces.resize(size);
-    layers.resize(size);
   }
 };
 

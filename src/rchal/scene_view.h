@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "base/vec.h"
@@ -21,8 +22,18 @@ enum TriangleFlag : uint32_t {
   kTransmittanceShadow = 4,  // RC_USE_TRANSMITTANCE_SHADOW
   kAlphaShadow = 8,          // RC_USE_TEXTURE_ALPHA_SHADOW
   kHasColors = 16,           // TriangleAttributes::color multiplies ambient and diffuse
+  kTangentFrame = 32,        // TriangleAttributes::normal is the frame of a normal map: tangent, bitangent, normal
+  kClockwiseFront = 64,      // the front is where the vertices run clockwise
+  kCullFront = 128,          // rays do not see the front side
+  kCullBack = 256,           // nor the back side
+  // Bits 12-14: the alpha test, bits 16-23 its reference value; units/coverage.h
 };
-inline constexpr uint32_t kFiltersShadow = kTransmittanceShadow | kAlphaShadow;
+inline constexpr int kAlphaTestShift = 12, kAlphaReferenceShift = 16;
+inline constexpr uint32_t kAlphaTestMask = 7u << kAlphaTestShift;
+
+// A triangle with one of these may let a ray through.
+inline constexpr uint32_t kFiltersShadow =
+    kTransmittanceShadow | kAlphaShadow | kCullFront | kCullBack | kAlphaTestMask;
 
 // Hot: what traversal and intersection read.
 struct HotTriangle {
@@ -45,6 +56,12 @@ inline constexpr uint32_t kNamedMaterials = 512;
 inline constexpr int32_t kNoTexture = -1;
 
 enum class Wrap : uint8_t { Repeat, ClampToEdge, MirroredRepeat };
+struct Wraps {
+  Wrap s = Wrap::Repeat, t = Wrap::Repeat;
+};
+
+// How a texel changes the colours of the material.
+enum class TextureEnv : uint8_t { Replace, Modulate, Decal, Blend, Add };
 
 struct MaterialRow {
   Rgb ambient{0.2f}, diffuse{0.8f};
@@ -54,8 +71,10 @@ struct MaterialRow {
   Rgb shadowTint{0};                    // what a shadow ray keeps; transmittance after the tint law
   float shininess = 0;
   float refractionIndex = 1;
-  int32_t texture = kNoTexture;  // into SceneView::textures
-  Wrap wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
+  int32_t texture = kNoTexture, normalMap = kNoTexture;  // into SceneView::textures
+  Wraps textureWrap, normalWrap;
+  TextureEnv textureEnv = TextureEnv::Replace;
+  Rgb textureEnvColor{0};
 };
 
 inline constexpr int kMaxTextureLevels = 15;  // 16384 ... 1
@@ -65,6 +84,7 @@ struct TextureView {
   int width = 0, height = 0;                                 // of level 0
   int levelCount = 0;
   bool trilinear = false;
+  bool hasAlpha = true;    // it was loaded with alpha; else all texels have one alpha, which decides opacity alone
   float opaqueAlpha = 16;  // the alpha, 0 ... 255, from which on a texel is opaque
 };
 
@@ -81,11 +101,26 @@ struct LightRow {
   float rangeStart = 0, rangeEnd = 0;  // world units; off while end <= start
 };
 
-// Primary rays leave `eye` through the window, which lies at distance `near` against `back`.
+// Colour that surfaces fade to, by the length of the ray's way from the eye.
+enum class FogMode : uint8_t { Off, Linear, Exp, Exp2 };
+struct Fog {
+  FogMode mode = FogMode::Off;
+  float density = 1, start = 0, end = 1;
+  Rgb color{0};
+};
+
+// A rectangle of the picture, in pixels from the lower left.
+struct PixelRect {
+  int column = 0, row = 0, columns = 0, rows = 0;
+};
+
+// Primary rays leave `eye` through the window, which lies at distance `near` against `back`. Parallel ones leave
+// the window itself, against `back`; `near` may then be negative.
 struct CameraView {
   Vec3 eye{0}, right{1, 0, 0}, up{0, 1, 0}, back{0, 0, 1};
   float left = -1, bottom = -1, width = 2, height = 2, near = 1;
   int columns = 0, rows = 0;  // of the viewport: pixels the window is divided into
+  bool parallel = false;
 };
 
 // One set of triangles with its structure: the static scene, or the frame's dynamic geometry.
@@ -110,6 +145,10 @@ struct SceneView {
   float minWeight = 0;  // secondary rays whose weight is below are dropped
   bool shadows = true;
   bool mipmaps = true;
+  Rgb globalAmbient{0};  // light without a source, for the ambient colour
+  Fog fog;
+  std::optional<PixelRect> scissor;  // pixels outside keep what they are
+  uint32_t writeMask = ~0u;          // bits of a pixel that are written
 
   bool filtersShadow() const { return geometry[0].filtersShadow || geometry[1].filtersShadow; }
 };

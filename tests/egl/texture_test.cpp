@@ -153,6 +153,23 @@ TEST_F(Textures, FiveSixFive) {
   EXPECT_EQ(pixel(surface, 0, 0), (Colour{99, 101, 255})) << "12 of 31, 25 of 63, 31 of 31";
 }
 
+TEST_F(Textures, MultisamplingCanBeSwitchedOff) {
+  const EGLConfig config = choose({EGL_RED_SIZE, 8, EGL_SAMPLES, 8});
+  const EGLSurface surface = pbufferOf(config, {EGL_WIDTH, 10, EGL_HEIGHT, 10});
+  ASSERT_TRUE(eglMakeCurrent(mDisplay, surface, surface, context(config)));
+  const auto rays = [] {
+    RCint count = 0;
+    rcFinish();
+    rcGetIntegerv(RC_FRAME_RAYS, &count);
+    return count;
+  };
+  EXPECT_EQ(rays(), 800) << "on from the start";
+  rcDisable(RC_MULTISAMPLE);
+  EXPECT_EQ(rays(), 100);
+  rcEnable(RC_MULTISAMPLE);
+  EXPECT_EQ(rays(), 800);
+}
+
 // An edge of slope 0.37 through a white half plane on black: how much of a pixel is white is known exactly.
 class Coverage : public Textures, public testing::WithParamInterface<EGLint> {};
 

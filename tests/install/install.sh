@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: The raycore authors
 #
 # Installs the built project into a scratch prefix and uses it from there as others do: find_package, pkg-config,
-# RCFramework.a as in the guide's makefiles, and a program with a main of its own.
+# RCFramework.a as in the guide's makefiles and its appendix D, and a program with a main of its own.
 set -eu
 build=$1 source=$2 cc=$3 cxx=$4
 scratch=$(mktemp -d)
@@ -48,6 +48,18 @@ if [ -e "$libdir/libEGL_raycore.so.0" ]; then
   RAYCORE_CAPTURE=$scratch/beside.ppm __EGL_VENDOR_LIBRARY_FILENAMES=$json "$scratch/beside" libEGL.so.1
 fi
 
-# old programs ask for this name, without a version
-readelf -d "$scratch/by_hand" | grep -q 'NEEDED.*\[libRayCoreAPI.so\]'
-echo "installed, found and used in five ways"
+# the line of the guide's appendix D, which names the original's inner libraries
+mkdir "$scratch/appendix_d"
+cd "$scratch/appendix_d"
+cp "$source/own_main.cpp" main.cpp
+ln -s "$libdir/RCFramework.a" .
+"$cxx" main.cpp -I"$prefix/include" -L"$libdir" RCFramework.a -lRayCoreAPI -lRCDDK -lRCHAL -lRCDDIArriaV -lX11 -lpthread
+RAYCORE_FRAMES=1 ./a.out 2>/dev/null
+expect ./a.out
+
+# old programs ask for this name, without a version, and for none of the inner ones
+for program in "$scratch/by_hand" ./a.out; do
+  readelf -d "$program" | grep -q 'NEEDED.*\[libRayCoreAPI.so\]'
+  if readelf -d "$program" | grep 'NEEDED.*\[libRC'; then exit 1; fi
+done
+echo "installed, found and used in six ways"

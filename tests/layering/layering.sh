@@ -14,6 +14,7 @@ rcddi:base rchal
 rcddk:base rchal
 api:base rchal rcddk
 egl:base rchal rcddk api
+gl:
 framework:"
 
 while IFS=: read -r layer allowed; do

@@ -112,7 +112,7 @@ class TextureFilter : public testing::Test {
     mView.levelCount = 2;
   }
   Vec4 at(float u, float v, float lod) const {
-    return sampleTexture(mView, {u, v}, Wrap::ClampToEdge, Wrap::ClampToEdge, lod);
+    return sampleTexture(mView, {u, v}, {Wrap::ClampToEdge, Wrap::ClampToEdge}, lod);
   }
   uint32_t mBase[4] = {0xff000000, 0xff0000ff, 0xff00ff00, 0xff00ffff};
   uint32_t mCoarse[1] = {0xff008080};
@@ -137,7 +137,7 @@ TEST_F(TextureFilter, NearestLevelOrBetweenLevels) {
 
 TEST_F(TextureFilter, CoordinatesThatAreNoNumbersDoNoHarm) {
   for (float bad : {kInfinity, -kInfinity, std::nanf(""), 1e30f}) {
-    const Vec4 texel = sampleTexture(mView, {bad, 0.25f}, Wrap::Repeat, Wrap::Repeat, std::nanf(""));
+    const Vec4 texel = sampleTexture(mView, {bad, 0.25f}, {Wrap::Repeat, Wrap::Repeat}, std::nanf(""));
     EXPECT_GE(texel.x, 0);
     EXPECT_LE(texel.x, 1);
   }
@@ -145,12 +145,12 @@ TEST_F(TextureFilter, CoordinatesThatAreNoNumbersDoNoHarm) {
 
 TEST(Texture, SixteenIsOpaque) {
   TextureView texture;
-  EXPECT_FLOAT_EQ(opacityOf(texture, 0), 0);
-  EXPECT_FLOAT_EQ(opacityOf(texture, 8 / 255.0f), 0.5f);
-  EXPECT_FLOAT_EQ(opacityOf(texture, 16 / 255.0f), 1);
-  EXPECT_FLOAT_EQ(opacityOf(texture, 1), 1);
+  EXPECT_FLOAT_EQ(opacityOf(MaterialRow{}, texture, 0), 0);
+  EXPECT_FLOAT_EQ(opacityOf(MaterialRow{}, texture, 8 / 255.0f), 0.5f);
+  EXPECT_FLOAT_EQ(opacityOf(MaterialRow{}, texture, 16 / 255.0f), 1);
+  EXPECT_FLOAT_EQ(opacityOf(MaterialRow{}, texture, 1), 1);
   texture.opaqueAlpha = 255;
-  EXPECT_NEAR(opacityOf(texture, 128 / 255.0f), 0.502, 0.001);
+  EXPECT_NEAR(opacityOf(MaterialRow{}, texture, 128 / 255.0f), 0.502, 0.001);
 }
 
 SurfacePoint pointAt(const Vec3 &position, const Vec3 &normal) {

@@ -23,13 +23,13 @@ class CpuDevice final : public Device {
 
   RayCounts trace(const SceneView &scene, const Target &target) override {
     clearOutsideViewport(scene, target);
-    const Visible visible = visiblePart(scene, target);
-    const int across = (visible.columns + kTileSize - 1) / kTileSize, down = (visible.rows + kTileSize - 1) / kTileSize;
+    const PixelRect part = tracedPart(scene, target);
+    const int across = (part.columns + kTileSize - 1) / kTileSize, down = (part.rows + kTileSize - 1) / kTileSize;
     std::vector<TileTracer<>> tracers(size_t(mWorkers.threads()), TileTracer<>(kBatch));
     mWorkers.forEach(size_t(across) * size_t(down), [&](size_t i, int worker) {
       const int column = int(i) % across * kTileSize, row = int(i) / across * kTileSize;
-      const Tile tile{column, row, std::min(kTileSize, visible.columns - column),
-                      std::min(kTileSize, visible.rows - row)};
+      const Tile tile{part.column + column, part.row + row, std::min(kTileSize, part.columns - column),
+                      std::min(kTileSize, part.rows - row)};
       tracers[size_t(worker)].trace(scene, tile, target);
     });
     RayCounts counts;

@@ -16,7 +16,7 @@ class NullDevice final : public Device {
   std::string_view name() const override { return "null"; }
 
   RayCounts trace(const SceneView &scene, const Target &target) override {
-    std::fill_n(target.pixels, size_t(target.width) * size_t(target.height), packColour(scene.clearColor));
+    clear(scene, target, writtenPart(scene, target));
     return {};
   }
 

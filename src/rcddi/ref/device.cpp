@@ -19,10 +19,12 @@ class RefDevice final : public Device {
   RayCounts trace(const SceneView &scene, const Target &target) override {
     const SceneView plain = withoutStructures(scene);
     clearOutsideViewport(plain, target);
-    const Visible visible = visiblePart(plain, target);
+    const PixelRect part = tracedPart(plain, target);
     TileTracer<> tracer(1);
-    for (int row = 0; row < visible.rows; ++row) {
-      for (int column = 0; column < visible.columns; ++column) tracer.trace(plain, {column, row, 1, 1}, target);
+    for (int row = part.row; row < part.row + part.rows; ++row) {
+      for (int column = part.column; column < part.column + part.columns; ++column) {
+        tracer.trace(plain, {column, row, 1, 1}, target);
+      }
     }
     return tracer.counts();
   }

@@ -16,7 +16,7 @@ struct SurfacePoint {
   Vec2 uv{0};
   Rgb color{1};      // of the vertices, interpolated
   float safeOffset;  // distance from the surface at which a new ray cannot hit it again
-  bool front;        // the ray met the counter-clockwise side
+  bool front;        // the ray met the front: the counter-clockwise side, unless rcFrontFace says otherwise
 
   // Where a ray in the given direction may start.
   Vec3 start(const Vec3 &direction) const {
@@ -34,8 +34,9 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
   point.position = p0 + p1 + p2;
   const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
   const Vec3 geometric = normalizedOr(edges, -direction);
-  point.front = glm::dot(geometric, direction) < 0;
-  point.flatNormal = point.front ? geometric : -geometric;
+  const bool counterClockwise = glm::dot(geometric, direction) < 0;
+  point.front = counterClockwise == ((triangle.flags & kClockwiseFront) == 0);
+  point.flatNormal = counterClockwise ? geometric : -geometric;
   // Rounding error of the interpolation above (Pharr et al., "Physically Based Rendering", 6.8.4), four times
   // over for that of the intersection which follows. By the largest coordinate, since that one is rounded by the
   // next ray's own axes: a wall in a coordinate plane needs its distance too.
@@ -53,18 +54,6 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
   }
   point.uv = w0 * attributes.uv[0] + w1 * attributes.uv[1] + w2 * attributes.uv[2];
   return point;
-}
-
-// Level of detail of a texture where a ray cone meets a triangle.
-// Akenine-Moeller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing", Ray Tracing Gems 20.
-inline float levelOfDetail(const HotTriangle &triangle, const TriangleAttributes &attributes,
-                           const TextureView &texture, float coneWidth, float cosine) {
-  const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
-  const Vec2 du = attributes.uv[1] - attributes.uv[0], dv = attributes.uv[2] - attributes.uv[0];
-  const float texelArea =
-      std::abs(du.x * dv.y - dv.x * du.y) * static_cast<float>(texture.width) * static_cast<float>(texture.height);
-  const float worldArea = glm::length(edges);
-  return 0.5f * std::log2(texelArea / worldArea) + std::log2(coneWidth / std::max(cosine, 1e-3f));
 }
 
 }  // namespace rc::hal

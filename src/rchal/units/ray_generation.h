@@ -26,6 +26,11 @@ inline RayItem primaryRay(const CameraView &camera, int column, int row, Vec2 of
   const float y =
       camera.bottom + camera.height * (static_cast<float>(row) + offset.y) / static_cast<float>(camera.rows);
   RayItem item;
+  if (camera.parallel) {
+    item.ray = {camera.eye + camera.right * x + camera.up * y - camera.back * camera.near, -camera.back};
+    item.coneWidth = std::abs(camera.height) / static_cast<float>(camera.rows);
+    return item;
+  }
   item.ray.origin = camera.eye;
   item.ray.direction = normalizedOr(camera.right * x + camera.up * y - camera.back * camera.near, -camera.back);
   item.coneSpread = std::abs(camera.height) / static_cast<float>(camera.rows) / camera.near;

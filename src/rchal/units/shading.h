@@ -6,13 +6,12 @@
 // Next: rchal/frame.h sends the shadow rays to the traversal unit and the others round again.
 #pragma once
 
+#include "rchal/units/coverage.h"
 #include "rchal/units/lighting.h"
+#include "rchal/units/ray_cone.h"
 #include "rchal/units/texture.h"
 
 namespace rc::hal {
-
-// More transparent texels than this in a row count as opaque.
-inline constexpr uint8_t kMaxLayers = 255;
 
 struct Outputs {
   std::span<Rgb> sum;  // by pixel of the tile
@@ -27,20 +26,26 @@ class Shader {
   Shader(const SceneView &scene, const RayItem &item, const Hit &hit, const Outputs &out)
       : mScene(scene),
         mItem(item),
+        mHit(hit),
         mOut(out),
         mView(-item.ray.direction),
-        mConeWidth(item.coneWidth + item.coneSpread * hit.t) {
+        mConeWidth(std::abs(item.coneWidth + item.coneSpread * hit.t)),
+        mConeSpread(item.coneWidth + item.coneSpread * hit.t < 0 ? -item.coneSpread : item.coneSpread) {
     const auto [geometry, index] = placeOf(scene, hit.primitive);
     mTriangle = &geometry.triangles[index];
     mMaterial = &materialOf(scene, geometry, *mTriangle);
     mPoint = surfacePoint(geometry, index, hit, item.ray.direction);
-    if (mMaterial->texture != kNoTexture) readTexel(geometry.attributes[index]);
+    mAttributes = &geometry.attributes[index];
+    if (mMaterial->texture != kNoTexture) readTexel();
+    mCoverage = coverage(mTriangle->flags, mPoint.front, mCoverage);
+    if (item.afterSeen && isSameSurface(scene, item.after, hit)) mCoverage = 0;
+    if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal();
   }
 
   void shade() {
-    const bool wholeSurface = mOpacity >= 1 || mItem.layers == kMaxLayers;
-    if (!wholeSurface) goStraightOn();
-    const Rgb weight = wholeSurface ? mItem.weight : mItem.weight * mOpacity;
+    if (mCoverage < 1) goStraightOn();
+    const Rgb weight = mItem.weight * mCoverage;
+    if (maxComponent(weight) <= 0) return;
     if (mTextured && mTriangle->flags & kTextureOnly) {
       add(weight * mTexel);
       return;
@@ -55,25 +60,58 @@ class Shader {
  private:
   void add(const Rgb &colour) { mOut.sum[mItem.pixel] += colour; }
 
-  void readTexel(const TriangleAttributes &attributes) {
+  void readTexel() {
     const TextureView &texture = mScene.textures[size_t(mMaterial->texture)];
+    const Vec4 texel = sample(texture, mMaterial->textureWrap);
+    mTexel = Rgb(texel);
+    mTexelAlpha = texture.hasAlpha ? texel.w : 1;
+    mCoverage = opacityOf(*mMaterial, texture, texel.w);
+    mTextured = true;
+  }
+
+  Vec4 sample(const TextureView &texture, const Wraps &wraps) const {
     float lod = 0;
     if (mScene.mipmaps && texture.levelCount > 1) {
       const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
-      lod = levelOfDetail(*mTriangle, attributes, texture, mConeWidth, cosine);
+      lod = levelOfDetail(*mTriangle, *mAttributes, texture, mConeWidth, cosine);
     }
-    const Vec4 texel = sampleTexture(texture, mPoint.uv, mMaterial->wrapS, mMaterial->wrapT, lod);
-    mTexel = Rgb(texel);
-    mOpacity = opacityOf(texture, texel.w);
-    mTextured = true;
+    return sampleTexture(texture, mPoint.uv, wraps, lod);
+  }
+
+  // A normal map holds 2 c - 1 along the tangent, the bitangent and the normal of its triangle.
+  void bendNormal() {
+    const TextureView &texture = mScene.textures[size_t(mMaterial->normalMap)];
+    const Vec3 local = 2.0f * Vec3(sample(texture, mMaterial->normalWrap)) - 1.0f;
+    const Vec3 bent =
+        local.x * mAttributes->normal[0] + local.y * mAttributes->normal[1] + local.z * mAttributes->normal[2];
+    const bool turned = glm::dot(mAttributes->normal[2], mPoint.flatNormal) < 0;  // the ray came from behind
+    mPoint.normal = normalizedOr(turned ? -bent : bent, mPoint.flatNormal);
+  }
+
+  // What a texel makes of a colour of the material. [OpenGL ES 1.1, 3.7.12]
+  Rgb textured(const Rgb &colour) const {
+    if (!mTextured) return colour;
+    switch (mMaterial->textureEnv) {
+      case TextureEnv::Replace:
+        return mTexel;
+      case TextureEnv::Modulate:
+        return colour * mTexel;
+      case TextureEnv::Decal:
+        return glm::mix(colour, mTexel, mTexelAlpha);
+      case TextureEnv::Blend:
+        return glm::mix(colour, mMaterial->textureEnvColor, mTexel);
+      case TextureEnv::Add:
+        return glm::min(colour + mTexel, 1.0f);
+    }
+    return mTexel;
   }
 
   void shadeLocal(const Rgb &weight) {
     if (maxComponent(weight) <= 0) return;
-    const SurfaceColours colours{mPoint.color * (mTextured ? mTexel : mMaterial->ambient),
-                                 mPoint.color * (mTextured ? mTexel : mMaterial->diffuse), mMaterial->specular,
+    const SurfaceColours colours{mPoint.color * textured(mMaterial->ambient),
+                                 mPoint.color * textured(mMaterial->diffuse), mMaterial->specular,
                                  mMaterial->shininess};
-    add(weight * mMaterial->emission);
+    add(weight * (mMaterial->emission + mScene.globalAmbient * colours.ambient));
     for (const LightRow &light : mScene.lights) {
       const LightTerm term = lightAt(light, mPoint, mView, colours);
       add(weight * term.ambient);
@@ -88,23 +126,33 @@ class Shader {
     }
   }
 
+  // The same ray, for what lies behind this hit.
   void goStraightOn() {
     RayItem next = mItem;
-    next.ray.origin = mPoint.start(mItem.ray.direction);
-    next.weight = mItem.weight * (1 - mOpacity);
-    next.coneWidth = mConeWidth;
-    ++next.layers;
+    next.after = {mHit.t, mHit.primitive};
+    next.afterSeen = mCoverage > 0;
+    next.weight = mItem.weight * (1 - mCoverage);
     mOut.sameBounce.push(next);
     ++mOut.counts.straight;
   }
 
+  // Whether a secondary ray of this weight is worth tracing.
+  bool counts(const Rgb &weight) const {
+    const float strongest = maxComponent(weight);
+    return strongest > 0 && strongest >= mScene.minWeight;
+  }
+
+  float curvatureHere() const { return curvature(*mTriangle, *mAttributes, mPoint.flatNormal); }
+
   void reflect(const Rgb &weight) {
+    if (!counts(weight)) return;
     const Vec3 d = mItem.ray.direction;
     Vec3 mirrored = d - 2 * glm::dot(d, mPoint.normal) * mPoint.normal;
     // An interpolated normal can send the ray into the surface: it is then led along it.
     const float height = glm::dot(mirrored, mPoint.flatNormal);
     if (height <= 0) mirrored += (1e-3f - height) * mPoint.flatNormal;
-    if (bounce(weight, mirrored)) ++mOut.counts.reflected;
+    bounce(weight, mirrored, reflectedSpread(mConeSpread, mConeWidth, curvatureHere()));
+    ++mOut.counts.reflected;
   }
 
   // Snell's law, index n against 1 outside; the front side leads in, the back side out. [spec 4]
@@ -115,35 +163,41 @@ class Shader {
     const float k = 1 - eta * eta * (1 - cosine * cosine);
     if (k < 0) return reflect(reflected + refracted);
     reflect(reflected);
+    if (!counts(refracted)) return;
     Vec3 bent = eta * mItem.ray.direction + (eta * cosine - std::sqrt(k)) * mPoint.normal;
     const float depth = glm::dot(bent, mPoint.flatNormal);
     if (depth >= 0) bent -= (depth + 1e-3f) * mPoint.flatNormal;
-    if (bounce(refracted, bent)) ++mOut.counts.refracted;
+    bounce(refracted, bent, refractedSpread(mConeSpread, mConeWidth, curvatureHere(), eta));
+    ++mOut.counts.refracted;
   }
 
-  bool bounce(const Rgb &weight, const Vec3 &direction) {
-    const float strongest = maxComponent(weight);
-    if (strongest <= 0 || strongest < mScene.minWeight) return false;
+  void bounce(const Rgb &weight, const Vec3 &direction, float coneSpread) {
     RayItem next = mItem;
     next.ray.direction = normalizedOr(direction, mPoint.flatNormal);
     next.ray.origin = mPoint.start(next.ray.direction);
     next.weight = weight;
+    next.after = {};
+    next.afterSeen = false;
     next.coneWidth = mConeWidth;
+    next.coneSpread = coneSpread;
+    next.travelled += mHit.t;
     ++next.bounces;
     mOut.nextBounce.push(next);
-    return true;
   }
 
   const SceneView &mScene;
   const RayItem &mItem;
+  const Hit &mHit;
   const Outputs &mOut;
   Vec3 mView;
-  float mConeWidth;
+  float mConeWidth, mConeSpread;  // at the hit; behind a focus the cone widens again
   const HotTriangle *mTriangle;
+  const TriangleAttributes *mAttributes;
   const MaterialRow *mMaterial;
   SurfacePoint mPoint;
   Rgb mTexel{0};
-  float mOpacity = 1;
+  float mTexelAlpha = 1;
+  float mCoverage = 1;  // share of the surface that is there
   bool mTextured = false;
 };
 

@@ -5,6 +5,7 @@
 // In: SceneView, ShadowItem's ray and distance.  Out: share per channel.  Next: rchal/frame.h adds the colour.
 #pragma once
 
+#include "rchal/units/coverage.h"
 #include "rchal/units/hit_point.h"
 #include "rchal/units/texture.h"
 #include "rchal/units/traversal.h"
@@ -16,19 +17,17 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
                         const Vec3 &direction) {
   const HotTriangle &triangle = geometry.triangles[index];
   const MaterialRow &material = materialOf(scene, geometry, triangle);
-  Rgb share{0};
-  if (triangle.flags & kTransmittanceShadow) share = material.shadowTint;
-  if (triangle.flags & kAlphaShadow && material.texture != kNoTexture) {
+  const SurfacePoint point = surfacePoint(geometry, index, hit, direction);
+  float opacity = 1;
+  if (triangle.flags & (kAlphaShadow | kAlphaTestMask) && material.texture != kNoTexture) {
     const TextureView &texture = scene.textures[size_t(material.texture)];
-    const SurfacePoint point = surfacePoint(geometry, index, hit, direction);
-    const float alpha = sampleTexture(texture, point.uv, material.wrapS, material.wrapT, 0).w;
-    share = glm::mix(Rgb(1), share, opacityOf(texture, alpha));
+    opacity = opacityOf(material, texture, sampleTexture(texture, point.uv, material.textureWrap, 0).w);
   }
-  return share;
+  const float there = coverage(triangle.flags, point.front, opacity);
+  if (there <= 0) return Rgb(1);
+  const Rgb share = triangle.flags & kTransmittanceShadow ? material.shadowTint : Rgb(0);
+  return triangle.flags & kAlphaShadow ? glm::mix(Rgb(1), share, there) : share;
 }
-
-// Hits closer together than this share of the distance are one.
-inline constexpr float kSameSurface = 0x1p-21f;
 
 inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   // A light that lies on a surface is not hidden by it.
@@ -37,18 +36,16 @@ inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   Rgb share{1};
   if (!scene.filtersShadow()) return share;
   HitOrder last;
-  uint32_t lastMaterial = kNoPrimitive;
+  bool filtered = false;  // by the last one
   for (;;) {
     const Hit hit = nextHit(scene, ray, last, end);
     if (!hit.found()) return share;
     const auto [geometry, index] = placeOf(scene, hit.primitive);
-    // Through the common edge of two triangles of one surface: that surface counts once.
-    const uint32_t material = geometry.triangles[index].material;
-    const bool sameSurface = material == lastMaterial && hit.t - last.t <= hit.t * kSameSurface;
-    if (!sameSurface) share *= shadowFilter(scene, geometry, index, hit, ray.direction);
+    const Rgb passing = shadowFilter(scene, geometry, index, hit, ray.direction);
+    if (!filtered || !isSameSurface(scene, last, hit)) share *= passing;
     if (maxComponent(share) <= 0) return Rgb(0);
     last = {hit.t, hit.primitive};
-    lastMaterial = material;
+    filtered = passing != Rgb(1);
   }
 }
 

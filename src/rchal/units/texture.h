@@ -34,12 +34,12 @@ inline float texelPosition(float coordinate, int size) {
   return std::abs(position) < 1e9f ? position : -0.5f;
 }
 
-inline Vec4 sampleBilinear(const TextureView &texture, int level, Vec2 uv, Wrap wrapS, Wrap wrapT) {
+inline Vec4 sampleBilinear(const TextureView &texture, int level, Vec2 uv, Wraps wraps) {
   const int width = std::max(texture.width >> level, 1), height = std::max(texture.height >> level, 1);
   const float x = texelPosition(uv.x, width), y = texelPosition(uv.y, height);
   const float x0 = std::floor(x), y0 = std::floor(y);
-  const int columns[2] = {wrapIndex(int(x0), width, wrapS), wrapIndex(int(x0) + 1, width, wrapS)};
-  const int rows[2] = {wrapIndex(int(y0), height, wrapT), wrapIndex(int(y0) + 1, height, wrapT)};
+  const int columns[2] = {wrapIndex(int(x0), width, wraps.s), wrapIndex(int(x0) + 1, width, wraps.s)};
+  const int rows[2] = {wrapIndex(int(y0), height, wraps.t), wrapIndex(int(y0) + 1, height, wraps.t)};
   const uint32_t *texels = texture.levels[level];
   const auto texel = [&](int row, int column) { return unpackTexel(texels[size_t(row) * size_t(width) + column]); };
   const float fx = x - x0, fy = y - y0;
@@ -49,17 +49,19 @@ inline Vec4 sampleBilinear(const TextureView &texture, int level, Vec2 uv, Wrap 
 }
 
 // lod: logarithm to base 2 of the footprint in texels of level 0; below 0 the texture is magnified.
-inline Vec4 sampleTexture(const TextureView &texture, Vec2 uv, Wrap wrapS, Wrap wrapT, float lod) {
+inline Vec4 sampleTexture(const TextureView &texture, Vec2 uv, Wraps wraps, float lod) {
   const float last = static_cast<float>(texture.levelCount - 1);
   const float level = lod > 0 ? std::min(lod, last) : 0.0f;  // also where lod is not a number
-  if (!texture.trilinear) return sampleBilinear(texture, int(std::floor(level + 0.5f)), uv, wrapS, wrapT);
+  if (!texture.trilinear) return sampleBilinear(texture, int(std::floor(level + 0.5f)), uv, wraps);
   const int coarse = std::min(int(level) + 1, texture.levelCount - 1);
-  const Vec4 fine = sampleBilinear(texture, int(level), uv, wrapS, wrapT);
-  return glm::mix(fine, sampleBilinear(texture, coarse, uv, wrapS, wrapT), level - std::floor(level));
+  const Vec4 fine = sampleBilinear(texture, int(level), uv, wraps);
+  return glm::mix(fine, sampleBilinear(texture, coarse, uv, wraps), level - std::floor(level));
 }
 
-// Share of a texel that is there; the rest lets the ray go straight on. [spec 3.4]
-inline float opacityOf(const TextureView &texture, float alpha) {
+// Share of a texel that is there; the rest lets the ray go straight on. A decal lies on its surface, which is there.
+// [spec 3.4; OpenGL ES 1.1, 3.7.12]
+inline float opacityOf(const MaterialRow &material, const TextureView &texture, float alpha) {
+  if (material.textureEnv == TextureEnv::Decal) return 1;
   return std::min(alpha * 255.0f / texture.opaqueAlpha, 1.0f);
 }
 

@@ -148,14 +148,6 @@ void walk(const GeometryView &geometry, const TraversalRay &ray, const float &tM
   }
 }
 
-// A place in the order of hits along a ray.
-struct HitOrder {
-  float t = 0;
-  uint32_t primitive = kNoPrimitive;  // the default lies before every hit at t > 0
-
-  bool operator<(const HitOrder &other) const { return t < other.t || (t == other.t && primitive < other.primitive); }
-};
-
 // The first hit after `after` and not beyond tMax.
 inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after, float tMax) {
   const TraversalRay traversal(ray);

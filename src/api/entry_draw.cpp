@@ -1,58 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// Entry points: vertex arrays and draw calls. [spec 3.6; G 7]
+// Entry points: draw calls: what of the state they capture. [spec 3.6; G 7]
+// Next: rcddk/geometry.h
 #include <optional>
 
 #include "RC/rc.h"
 #include "api/arrays.h"
 #include "api/guard.h"
+#include "rchal/units/coverage.h"
 
 using namespace rc;
 using namespace rc::api;
 
 namespace {
-
-// `array` is the array's token; sizes other than its own are errors unless it may have several.
-void setPointer(Context &context, RCenum array, RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  const ArrayTokens &tokens = *findArrayTokens(array);
-  ArrayState &arrays = context.state.arrays;
-  ClientArray &target = arrays.*tokens.member;
-  if (!tokens.hasType(type)) return context.fail(RC_INVALID_ENUM, "type 0x%04X is no type of this array", type);
-  if (stride < 0) return context.fail(RC_INVALID_VALUE, "stride is %d", stride);
-  const std::shared_ptr<Buffer> &buffer = arrays.arrayBuffer.buffer;
-  if (buffer && buffer->bytes.empty()) return context.fail(RC_INVALID_OPERATION, "the bound buffer has no data");
-  if (buffer && reinterpret_cast<size_t>(pointer) >= buffer->bytes.size()) {
-    return context.fail(RC_INVALID_VALUE, "the offset lies beyond the %zu bytes of the buffer", buffer->bytes.size());
-  }
-  target.size = size;
-  target.type = type;
-  target.stride = stride;
-  target.pointer = pointer;
-  target.bufferName = arrays.arrayBuffer.name;
-  target.buffer = buffer;
-}
-
-// Arrays of one size.
-void setPlainPointer(Context &context, RCenum array, RCint wanted, RCint size, RCenum type, RCsizei stride,
-                     const RCvoid *pointer) {
-  if (size != wanted) return context.fail(RC_INVALID_VALUE, "size is %d, not %d", size, wanted);
-  setPointer(context, array, size, type, stride, pointer);
-}
-
-// Arrays of the palette have up to as many values a vertex as it has matrices.
-void setPalettePointer(Context &context, RCenum array, RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  if (!context.state.palette.enabled) return context.fail(RC_INVALID_OPERATION, "the matrix palette is not enabled");
-  if (size < 1 || size > RCint(PaletteState::kMatrices)) return context.fail(RC_INVALID_VALUE, "size is %d", size);
-  setPointer(context, array, size, type, stride, pointer);
-}
-
-void setClientState(Context &context, RCenum name, bool enabled) {
-  if (name == RC_POINT_SIZE_ARRAY_OES) return;  // accepted: there are no points
-  ClientArray *array = findArray(context.state.arrays, name);
-  if (!array) return context.fail(RC_INVALID_ENUM, "0x%04X is no array", name);
-  array->enabled = enabled;
-}
 
 std::optional<ddk::Primitive> primitiveOf(RCenum mode) {
   switch (mode) {
@@ -85,13 +46,35 @@ std::optional<ddk::IndexType> indexTypeOf(RCenum type) {
   }
 }
 
+// Tokens of comparisons name their outcomes in their low bits: RC_LEQUAL is RC_NEVER + less + equal.
+uint32_t surfaceFlags(const SurfaceState &surface) {
+  uint32_t flags = 0;
+  if (surface.frontFace == RC_CW) flags |= hal::kClockwiseFront;
+  if (surface.cullFace && surface.cullMode != RC_BACK) flags |= hal::kCullFront;
+  if (surface.cullFace && surface.cullMode != RC_FRONT) flags |= hal::kCullBack;
+  if (surface.alphaTest) flags |= hal::alphaTestFlags(surface.alphaFunc - RC_NEVER, surface.alphaRef);
+  return flags;
+}
+
 uint32_t flagsOf(const State &state) {
   uint32_t flags = 0;
   if (state.textureOnly) flags |= hal::kTextureOnly;
   if (state.shadow.transmittance) flags |= hal::kTransmittanceShadow;
   if (state.shadow.textureAlpha) flags |= hal::kAlphaShadow;
-  return flags;
+  return flags | surfaceFlags(state.surface);
 }
+
+// Planes that are on, without gaps.
+struct ClipPlanes {
+  std::array<Vec4, ClipState::kPlanes> planes;
+  size_t count = 0;
+
+  explicit ClipPlanes(const ClipState &state) {
+    for (size_t i = 0; i < ClipState::kPlanes; ++i) {
+      if (state.enabled[i]) planes[count++] = state.planes[i];
+    }
+  }
+};
 
 // A material object by name; without one, its values of this moment, stored once for equal draws. [spec 3.5]
 uint32_t materialFor(const State &state, ddk::GeometrySet &set) {
@@ -113,7 +96,7 @@ void addPalette(const State &state, ddk::DrawCall &call) {
 
 void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indices) {
   const ArrayState &arrays = context.state.arrays;
-  if (!arrays.vertex.enabled || hasNullPointer(arrays)) return;
+  if (!arrays.vertex.enabled || hasNullPointer(arrays)) return context.noteEmptyDraw();
   ddk::GeometrySet &set = context.scene.target();
   ddk::DrawCall call{.primitive = primitive, .indices = indices};
   call.vertices = viewIfEnabled(arrays.vertex);
@@ -123,8 +106,13 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   addPalette(context.state, call);
   call.worldFromObject = context.state.matrices.modelview.current();
   call.textureMatrix = context.state.matrices.texture.current();
+  call.texCoord = arrays.currentTexCoord;
+  const ClipPlanes clip(context.state.clip);
+  call.clipPlanes = std::span(clip.planes).first(clip.count);
+  call.flatShading = context.state.surface.shadeModel == RC_FLAT;
   call.material = materialFor(context.state, set);
   call.flags = flagsOf(context.state);
+  if (context.boundMaterial().textures[ddk::kNormalMap].enabled) call.flags |= hal::kTangentFrame;
   ddk::appendTriangles(call, set);
   context.touch();
 }
@@ -148,54 +136,8 @@ std::optional<ddk::IndexView> indexView(Context &context, ddk::IndexType type, s
 
 extern "C" {
 
-void rcEnableClientState(RCenum array) {
-  enter("rcEnableClientState", [&](Context &context) { setClientState(context, array, true); });
-}
-
-void rcDisableClientState(RCenum array) {
-  enter("rcDisableClientState", [&](Context &context) { setClientState(context, array, false); });
-}
-
-void rcVertexPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcVertexPointer",
-        [&](Context &context) { setPlainPointer(context, RC_VERTEX_ARRAY, 3, size, type, stride, pointer); });
-}
-
-void rcTexCoordPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcTexCoordPointer",
-        [&](Context &context) { setPlainPointer(context, RC_TEXTURE_COORD_ARRAY, 2, size, type, stride, pointer); });
-}
-
-void rcNormalPointer(RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcNormalPointer",
-        [&](Context &context) { setPlainPointer(context, RC_NORMAL_ARRAY, 3, 3, type, stride, pointer); });
-}
-
-void rcColorPointer(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcColorPointer",
-        [&](Context &context) { setPlainPointer(context, RC_COLOR_ARRAY, 4, size, type, stride, pointer); });
-}
-
-void rcMatrixIndexPointerOES(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcMatrixIndexPointerOES",
-        [&](Context &context) { setPalettePointer(context, RC_MATRIX_INDEX_ARRAY_OES, size, type, stride, pointer); });
-}
-
-void rcWeightPointerOES(RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
-  enter("rcWeightPointerOES",
-        [&](Context &context) { setPalettePointer(context, RC_WEIGHT_ARRAY_OES, size, type, stride, pointer); });
-}
-
-void rcGetPointerv(RCenum pname, RCvoid **params) {
-  enter("rcGetPointerv", [&](Context &context) {
-    const ClientArray *array = findArrayByPointer(context.state.arrays, pname);
-    if (!array) return context.fail(RC_INVALID_ENUM, "0x%04X is no array pointer", pname);
-    if (params) *params = const_cast<RCvoid *>(array->pointer);
-  });
-}
-
 void rcDrawArrays(RCenum mode, RCint first, RCsizei count) {
-  enter("rcDrawArrays", [&](Context &context) {
+  enter(Call("rcDrawArrays", mode, first, count), [&](Context &context) {
     const auto primitive = primitiveOf(mode);
     if (!primitive) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not drawn", mode);
     if (first < 0 || count < 0) return context.fail(RC_INVALID_VALUE, "first is %d, count is %d", first, count);
@@ -204,7 +146,7 @@ void rcDrawArrays(RCenum mode, RCint first, RCsizei count) {
 }
 
 void rcDrawElements(RCenum mode, RCsizei count, RCenum type, const RCvoid *indices) {
-  enter("rcDrawElements", [&](Context &context) {
+  enter(Call("rcDrawElements", mode, count, type, indices), [&](Context &context) {
     const auto primitive = primitiveOf(mode);
     const auto indexType = indexTypeOf(type);
     if (!primitive) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not drawn", mode);

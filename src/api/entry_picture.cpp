@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// Entry points: which part of the picture is written, and reading it back. [spec 3.8; OpenGL ES 1.1, 4.1.2, 4.2.2, 4.3]
+#include <cstring>
+
+#include "RC/rc.h"
+#include "api/guard.h"
+#include "api/picture.h"
+
+using namespace rc;
+using namespace rc::api;
+
+namespace {
+
+struct ReadFormat {
+  RCenum format, type;
+  size_t bytes;  // of a pixel
+};
+constexpr ReadFormat kReadFormats[] = {{RC_RGBA, RC_UNSIGNED_BYTE, 4}, {RC_RGB, RC_UNSIGNED_BYTE, 3}};
+
+// The format, or an error and null.
+const ReadFormat *findReadFormat(Context &context, RCenum format, RCenum type) {
+  for (const ReadFormat &row : kReadFormats) {
+    if (row.format == format && row.type == type) return &row;
+  }
+  const bool known = (format == RC_RGBA || format == RC_RGB) && type != RC_UNSIGNED_BYTE;
+  const bool isType = type >= RC_BYTE && type <= RC_FLOAT;
+  const bool packed =
+      type == RC_UNSIGNED_SHORT_4_4_4_4 || type == RC_UNSIGNED_SHORT_5_5_5_1 || type == RC_UNSIGNED_SHORT_5_6_5;
+  context.fail(known && (isType || packed) ? RC_INVALID_OPERATION : RC_INVALID_ENUM,
+               "format 0x%04X and type 0x%04X cannot be read; RC_RGBA and RC_RGB of RC_UNSIGNED_BYTE can", format,
+               type);
+  return nullptr;
+}
+
+void readPixels(Context &context, const hal::PixelRect &part, const ReadFormat &format, RCvoid *pixels) {
+  if (part.columns < 0 || part.rows < 0) {
+    return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", part.columns, part.rows);
+  }
+  const hal::Target picture = context.picture();
+  if (!picture.pixels) return context.fail(RC_INVALID_OPERATION, "there is no surface to read from");
+  if (!pixels) return;
+  const size_t alignment = size_t(context.state.pixelStore.packAlignment);
+  const size_t rowBytes = (size_t(part.columns) * format.bytes + alignment - 1) / alignment * alignment;
+  for (int y = 0; y < part.rows; ++y) {
+    auto *row = static_cast<RCubyte *>(pixels) + size_t(y) * rowBytes;
+    for (int x = 0; x < part.columns; ++x) {
+      // What lies beside the picture is left as it is in memory.
+      const uint32_t *pixel = pictureAt(picture, int64_t{part.column} + x, int64_t{part.row} + y);
+      if (pixel) std::memcpy(row + size_t(x) * format.bytes, pixel, format.bytes);
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+void rcScissor(RCint x, RCint y, RCsizei width, RCsizei height) {
+  enter(Call("rcScissor", x, y, width, height), [&](Context &context) {
+    if (width < 0 || height < 0) return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", width, height);
+    PictureState &picture = context.state.picture;
+    picture.scissorX = x;
+    picture.scissorY = y;
+    picture.scissorWidth = width;
+    picture.scissorHeight = height;
+    context.touch();
+  });
+}
+
+void rcColorMask(RCboolean red, RCboolean green, RCboolean blue, RCboolean alpha) {
+  enter(Call("rcColorMask", red, green, blue, alpha), [&](Context &context) {
+    context.state.picture.colorMask = {red != 0, green != 0, blue != 0, alpha != 0};
+    context.touch();
+  });
+}
+
+void rcPixelStorei(RCenum pname, RCint param) {
+  enter(Call("rcPixelStorei", pname, param), [&](Context &context) {
+    PixelStoreState &store = context.state.pixelStore;
+    if (pname != RC_PACK_ALIGNMENT && pname != RC_UNPACK_ALIGNMENT) {
+      return context.fail(RC_INVALID_ENUM, "0x%04X is no way to store pixels", pname);
+    }
+    if (param != 1 && param != 2 && param != 4 && param != 8) {
+      return context.fail(RC_INVALID_VALUE, "alignment %d is not 1, 2, 4 or 8", param);
+    }
+    (pname == RC_PACK_ALIGNMENT ? store.packAlignment : store.unpackAlignment) = param;
+  });
+}
+
+void rcReadPixels(RCint x, RCint y, RCsizei width, RCsizei height, RCenum format, RCenum type, RCvoid *pixels) {
+  enter(Call("rcReadPixels", x, y, width, height, format, type, pixels), [&](Context &context) {
+    if (const ReadFormat *row = findReadFormat(context, format, type)) {
+      readPixels(context, {x, y, width, height}, *row, pixels);
+    }
+  });
+}
+
+}  // extern "C"
