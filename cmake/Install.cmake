@@ -4,6 +4,13 @@ include(CMakePackageConfigHelpers)
 install(TARGETS RayCoreAPI RCFramework EXPORT RayCoreTargets)
 install(CODE "file(CREATE_LINK libRCFramework.a
   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/RCFramework.a\" SYMBOLIC)")
+if(TARGET raycore_vendor)
+  install(TARGETS raycore_vendor LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  # Not where libglvnd looks: only programs that name the file in __EGL_VENDOR_LIBRARY_FILENAMES get it.
+  install(CODE "set(RAYCORE_VENDOR_LIBRARY \${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libEGL_raycore.so.0)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/50_raycore.json.in
+    \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/raycore/egl_vendor.d/50_raycore.json @ONLY)")
+endif()
 
 # The guide's link line names the original's inner libraries too. Linkers take these texts for them; no program needs
 # the names when it runs. [G D 1.1; reference 1.1]

@@ -76,6 +76,11 @@ class WindowPlatform : public PlatformBase {
   void ToggleFullScreen();
 
  private:
+  void AskForFullScreen();
+  void FillScreen();
+  void HandleKeyEvent(unsigned long symbol, unsigned state, BOOL dispatch);
+  void TellMouse(int x, int y, DWORD buttons);
+
   struct Window;
   Window *m_pWindow; /* null where there is no display */
 };
@@ -137,6 +142,7 @@ class RCFramework : protected WindowPlatform {
   void InitializeState();
   BOOL Fail(const char *what);
   void CountFrame();
+  BOOL ShowFrame();
   void StepThreshold(int step);
   void StepRendering(int step);
   bool HandleKey(char key);
@@ -155,6 +161,8 @@ class RCFramework : protected WindowPlatform {
   bool m_bFailed = false;
   int m_iFrames = 0;   /* since the title was last changed */
   double m_dSince = 0; /* when, in seconds */
+  /* Seconds of these frames: what OnDraw took, rcFinish, the swap. */
+  double m_dDrawing = 0, m_dTracing = 0, m_dShowing = 0;
 };
 
 #endif /* RCFRAMEWORK_H */

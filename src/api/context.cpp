@@ -89,6 +89,7 @@ void Context::finish() {
   mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;
+  mSurface->traced();
   if (!scene.dynamics().empty()) resetMatrices();
   reportFrame();
   ++mFrame;
@@ -97,6 +98,11 @@ void Context::finish() {
 hal::Target Context::picture() {
   finish();
   return mSurface ? mSurface->backBuffer() : hal::Target{};
+}
+
+bool Context::pending() const {
+  const std::lock_guard lock(mObjects->mutex);
+  return mSurface && mTraced != mObjects->changes;
 }
 
 void Context::endFrame() {
@@ -131,9 +137,11 @@ ddk::FrameState Context::frameState() const {
   return frame;
 }
 
-// Those of the process, or as many as a hint asks for.
+// Those of the surface's configuration, but not fewer than the process asks for, which RC_MULTISAMPLE switches; or as
+// many as a hint asks for.
 int Context::samples() const {
-  const int plain = state.picture.multisample ? mSamples : 1;
+  const int surface = mSurface ? mSurface->samples() : 1;
+  const int plain = state.picture.multisample ? std::max(mSamples, surface) : 1;
   return supersampled(state.hints.rendering) ? std::max(plain, kNicestSamples) : plain;
 }
 

@@ -22,6 +22,10 @@ class DrawSurface {
   virtual ~DrawSurface() = default;
   // The back buffer at the size the surface has now.
   virtual hal::Target backBuffer() = 0;
+  // Samples a pixel that its configuration asks for, 1 or more.
+  virtual int samples() const { return 1; }
+  // A picture was traced into the back buffer.
+  virtual void traced() {}
 };
 
 // What contexts of one share group have in common.
@@ -72,6 +76,8 @@ class Context {
   int samples() const;
   // Traces the frame if something changed since the last picture.
   void finish();
+  // Whether a surface waits for a picture that rcFinish would trace.
+  bool pending() const;
   // The picture as it is after all that was drawn, row by row from the top; no pixels where there is no surface.
   hal::Target picture();
   // A draw call had no vertex array, or an array without memory: it draws nothing.

@@ -3,110 +3,113 @@
 #include "egl/config.h"
 
 #include <algorithm>
+#include <array>
 
 namespace rc::egl {
 namespace {
 
-// Without alpha first, shallow first: EGL's order for equal colour sizes.
-constexpr Config kConfigs[] = {{1, 0, 0}, {2, 0, 16}, {3, 0, 24}, {4, 8, 0}, {5, 8, 16}, {6, 8, 24}};
+constexpr std::array<std::array<EGLint, 4>, 3> kColours = {{{5, 6, 5, 0}, {8, 8, 8, 0}, {8, 8, 8, 8}}};
+constexpr std::array<EGLint, 4> kSamples = {0, 4, 8, 16};
+constexpr std::array<EGLint, 3> kDepths = {0, 16, 24};
 
-enum class Match { AtLeast, Exact, Mask, Ignored };
-
-struct AttributeRow {
-  EGLint name;
-  Match match;
-  EGLint (*value)(const Config &config);
-};
+// Every combination, in the order in which they come when no colour is asked for.
+constexpr auto kConfigs = [] {
+  std::array<Config, kColours.size() * kSamples.size() * kDepths.size()> all{};
+  EGLint id = 0;
+  for (const auto &[red, green, blue, alpha] : kColours) {
+    for (const EGLint samples : kSamples) {
+      for (const EGLint depth : kDepths) {
+        all[size_t(id)] = {id + 1, red, green, blue, alpha, depth, samples};
+        ++id;
+      }
+    }
+  }
+  return all;
+}();
 
 template <EGLint Value>
-EGLint constant(const Config &) {
+EGLint constant(const Config &, const NativeTraits &) {
   return Value;
 }
 
-constexpr EGLint kLargestPbuffer = 16384;
+template <EGLint Config::*Member>
+EGLint member(const Config &config, const NativeTraits &) {
+  return config.*Member;
+}
 
-// Table 3.1 and 3.4 of EGL 1.4.
-constexpr AttributeRow kAttributes[] = {
-    {EGL_BUFFER_SIZE, Match::AtLeast, [](const Config &c) { return c.bufferSize(); }},
-    {EGL_RED_SIZE, Match::AtLeast, constant<8>},
-    {EGL_GREEN_SIZE, Match::AtLeast, constant<8>},
-    {EGL_BLUE_SIZE, Match::AtLeast, constant<8>},
-    {EGL_LUMINANCE_SIZE, Match::AtLeast, constant<0>},
-    {EGL_ALPHA_SIZE, Match::AtLeast, [](const Config &c) { return c.alphaSize; }},
-    {EGL_ALPHA_MASK_SIZE, Match::AtLeast, constant<0>},
-    {EGL_BIND_TO_TEXTURE_RGB, Match::Exact, constant<EGL_FALSE>},
-    {EGL_BIND_TO_TEXTURE_RGBA, Match::Exact, constant<EGL_FALSE>},
-    {EGL_COLOR_BUFFER_TYPE, Match::Exact, constant<EGL_RGB_BUFFER>},
-    {EGL_CONFIG_CAVEAT, Match::Exact, constant<EGL_NONE>},
-    {EGL_CONFIG_ID, Match::Exact, [](const Config &c) { return c.id; }},
-    {EGL_CONFORMANT, Match::Mask, constant<0>},
-    {EGL_DEPTH_SIZE, Match::AtLeast, [](const Config &c) { return c.depthSize; }},
-    {EGL_LEVEL, Match::Exact, constant<0>},
-    {EGL_MATCH_NATIVE_PIXMAP, Match::Ignored, constant<0>},
-    {EGL_MAX_PBUFFER_WIDTH, Match::Ignored, constant<kLargestPbuffer>},
-    {EGL_MAX_PBUFFER_HEIGHT, Match::Ignored, constant<kLargestPbuffer>},
-    {EGL_MAX_PBUFFER_PIXELS, Match::Ignored, constant<kLargestPbuffer * kLargestPbuffer>},
-    {EGL_MAX_SWAP_INTERVAL, Match::Exact, constant<1>},
-    {EGL_MIN_SWAP_INTERVAL, Match::Exact, constant<0>},
-    {EGL_NATIVE_RENDERABLE, Match::Exact, constant<EGL_FALSE>},
-    {EGL_NATIVE_VISUAL_ID, Match::Ignored, constant<0>},
-    {EGL_NATIVE_VISUAL_TYPE, Match::Exact, constant<EGL_NONE>},
-    {EGL_RENDERABLE_TYPE, Match::Mask, constant<EGL_OPENGL_ES_BIT>},
-    {EGL_SAMPLE_BUFFERS, Match::AtLeast, constant<0>},
-    {EGL_SAMPLES, Match::AtLeast, constant<0>},
-    {EGL_STENCIL_SIZE, Match::AtLeast, constant<0>},
-    // The pixmap bit is what a program asks for that wants the full screen. [G D 1.3]
-    {EGL_SURFACE_TYPE, Match::Mask, constant<EGL_WINDOW_BIT | EGL_PBUFFER_BIT | EGL_PIXMAP_BIT>},
-    {EGL_TRANSPARENT_TYPE, Match::Exact, constant<EGL_NONE>},
-    {EGL_TRANSPARENT_RED_VALUE, Match::Ignored, constant<0>},
-    {EGL_TRANSPARENT_GREEN_VALUE, Match::Ignored, constant<0>},
-    {EGL_TRANSPARENT_BLUE_VALUE, Match::Ignored, constant<0>},
+// Swaps preserve the picture, and several samples of a pixel count the same.
+EGLint surfaceTypes(const Config &config, const NativeTraits &native) {
+  return native.surfaceTypes | EGL_SWAP_BEHAVIOR_PRESERVED_BIT |
+         (config.samples > 0 ? EGL_MULTISAMPLE_RESOLVE_BOX_BIT : 0);
+}
+
+constexpr EGLint kSurfaceBits = EGL_PBUFFER_BIT | EGL_PIXMAP_BIT | EGL_WINDOW_BIT | EGL_VG_COLORSPACE_LINEAR_BIT |
+                                EGL_VG_ALPHA_FORMAT_PRE_BIT | EGL_MULTISAMPLE_RESOLVE_BOX_BIT |
+                                EGL_SWAP_BEHAVIOR_PRESERVED_BIT;
+constexpr EGLint kApiBits =
+    EGL_OPENGL_ES_BIT | EGL_OPENVG_BIT | EGL_OPENGL_ES2_BIT | EGL_OPENGL_BIT | EGL_OPENGL_ES3_BIT;
+constexpr EGLint kAny = EGL_DONT_CARE;
+
+// The caveat and the empty mask of conformance tell the truth: rays do not pass the tests of OpenGL ES.
+constexpr ConfigAttribute kAttributes[] = {
+    {EGL_BUFFER_SIZE, Match::AtLeast, 0, countValue,
+     [](const Config &c, const NativeTraits &) { return c.bufferSize(); }},
+    {EGL_RED_SIZE, Match::AtLeast, 0, countValue, member<&Config::red>},
+    {EGL_GREEN_SIZE, Match::AtLeast, 0, countValue, member<&Config::green>},
+    {EGL_BLUE_SIZE, Match::AtLeast, 0, countValue, member<&Config::blue>},
+    {EGL_LUMINANCE_SIZE, Match::AtLeast, 0, countValue, constant<0>},
+    {EGL_ALPHA_SIZE, Match::AtLeast, 0, countValue, member<&Config::alpha>},
+    {EGL_ALPHA_MASK_SIZE, Match::AtLeast, 0, countValue, constant<0>},
+    {EGL_BIND_TO_TEXTURE_RGB, Match::Exact, kAny, booleanValue, constant<EGL_TRUE>},
+    {EGL_BIND_TO_TEXTURE_RGBA, Match::Exact, kAny, booleanValue,
+     [](const Config &c, const NativeTraits &) -> EGLint { return c.alpha > 0; }},
+    {EGL_COLOR_BUFFER_TYPE, Match::Exact, EGL_RGB_BUFFER, oneOf<EGL_RGB_BUFFER, EGL_LUMINANCE_BUFFER>,
+     constant<EGL_RGB_BUFFER>},
+    {EGL_CONFIG_CAVEAT, Match::Exact, kAny, oneOf<EGL_NONE, EGL_SLOW_CONFIG, EGL_NON_CONFORMANT_CONFIG>,
+     constant<EGL_NON_CONFORMANT_CONFIG>},
+    {EGL_CONFIG_ID, Match::Exact, kAny, anyValue, member<&Config::id>},
+    {EGL_CONFORMANT, Match::Mask, 0, bitsOf<kApiBits>, constant<0>},
+    {EGL_DEPTH_SIZE, Match::AtLeast, 0, countValue, member<&Config::depth>},
+    {EGL_LEVEL, Match::Exact, 0, anyValue, constant<0>},
+    {EGL_MAX_PBUFFER_WIDTH, Match::Ignored, kAny, anyValue, constant<kLargestSide>},
+    {EGL_MAX_PBUFFER_HEIGHT, Match::Ignored, kAny, anyValue, constant<kLargestSide>},
+    {EGL_MAX_PBUFFER_PIXELS, Match::Ignored, kAny, anyValue, constant<kLargestSide * kLargestSide>},
+    // A swap waits for no retrace.
+    {EGL_MAX_SWAP_INTERVAL, Match::Exact, kAny, countValue, constant<0>},
+    {EGL_MIN_SWAP_INTERVAL, Match::Exact, kAny, countValue, constant<0>},
+    {EGL_NATIVE_RENDERABLE, Match::Exact, kAny, booleanValue, constant<EGL_FALSE>},
+    {EGL_NATIVE_VISUAL_ID, Match::Ignored, kAny, anyValue,
+     [](const Config &, const NativeTraits &native) { return native.visualId; }},
+    {EGL_NATIVE_VISUAL_TYPE, Match::Exact, kAny, anyValue,
+     [](const Config &, const NativeTraits &native) { return native.visualType; }},
+    {EGL_RENDERABLE_TYPE, Match::Mask, EGL_OPENGL_ES_BIT, bitsOf<kApiBits>, constant<EGL_OPENGL_ES_BIT>},
+    {EGL_SAMPLE_BUFFERS, Match::AtLeast, 0, countValue,
+     [](const Config &c, const NativeTraits &) -> EGLint { return c.samples > 0; }},
+    {EGL_SAMPLES, Match::AtLeast, 0, countValue, member<&Config::samples>},
+    {EGL_STENCIL_SIZE, Match::AtLeast, 0, countValue, constant<0>},
+    {EGL_SURFACE_TYPE, Match::Mask, EGL_WINDOW_BIT, bitsOf<kSurfaceBits>, surfaceTypes},
+    {EGL_TRANSPARENT_TYPE, Match::Exact, EGL_NONE, oneOf<EGL_NONE, EGL_TRANSPARENT_RGB>, constant<EGL_NONE>},
+    // No config is transparent, so there is nothing to compare.
+    {EGL_TRANSPARENT_RED_VALUE, Match::Ignored, kAny, countValue, constant<0>},
+    {EGL_TRANSPARENT_GREEN_VALUE, Match::Ignored, kAny, countValue, constant<0>},
+    {EGL_TRANSPARENT_BLUE_VALUE, Match::Ignored, kAny, countValue, constant<0>},
 };
-
-const AttributeRow *findAttribute(EGLint name) {
-  const auto *found = std::find_if(std::begin(kAttributes), std::end(kAttributes),
-                                   [&](const AttributeRow &row) { return row.name == name; });
-  return found == std::end(kAttributes) ? nullptr : found;
-}
-
-bool satisfies(const AttributeRow &row, EGLint offered, EGLint wanted) {
-  if (wanted == EGL_DONT_CARE) return true;
-  switch (row.match) {
-    case Match::AtLeast:
-      return offered >= wanted;
-    case Match::Exact:
-      return offered == wanted;
-    case Match::Mask:
-      return (offered & wanted) == wanted;
-    case Match::Ignored:
-      break;
-  }
-  return true;
-}
 
 }  // namespace
 
-std::optional<EGLint> Config::attribute(EGLint name) const {
-  const AttributeRow *row = findAttribute(name);
-  return row ? std::optional(row->value(*this)) : std::nullopt;
-}
-
 std::span<const Config> configs() { return kConfigs; }
 
-std::optional<std::vector<const Config *>> matchConfigs(const EGLint *attributes) {
-  std::vector<const Config *> matching;
-  for (const Config &config : kConfigs) matching.push_back(&config);
-  for (const EGLint *at = attributes; at && *at != EGL_NONE; at += 2) {
-    if (!findAttribute(at[0])) return std::nullopt;
-    if (at[0] != EGL_CONFIG_ID || at[1] == EGL_DONT_CARE) continue;
-    std::erase_if(matching, [&](const Config *config) { return config->id != at[1]; });  // nothing else counts
-    return matching;
-  }
-  for (const EGLint *at = attributes; at && *at != EGL_NONE; at += 2) {
-    const AttributeRow *row = findAttribute(at[0]);
-    std::erase_if(matching, [&](const Config *config) { return !satisfies(*row, row->value(*config), at[1]); });
-  }
-  return matching;
+std::span<const ConfigAttribute> configAttributes() { return kAttributes; }
+
+const ConfigAttribute *findConfigAttribute(EGLAttrib name) {
+  const auto *found = std::find_if(std::begin(kAttributes), std::end(kAttributes),
+                                   [&](const ConfigAttribute &row) { return row.name == name; });
+  return found == std::end(kAttributes) ? nullptr : found;
+}
+
+std::optional<EGLint> Config::attribute(EGLint name, const NativeTraits &native) const {
+  const ConfigAttribute *row = findConfigAttribute(name);
+  return row ? std::optional(row->value(*this, native)) : std::nullopt;
 }
 
 }  // namespace rc::egl

@@ -1,63 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// display.h: an EGL display, which owns surfaces and contexts. Handles are pointers that are looked up before
-// they are used: a handle that is none is an error, never a crash. [spec 5; EGL 1.4, 2.1, 3.2]
+// display.h: an EGL display, which owns surfaces, contexts, syncs and images. Displays are looked up before they are
+// used: a handle that is none is an error, never a crash. [spec 5; EGL 1.5, 2.1, 3.2]
 #pragma once
 
-#include <map>
+#include <compare>
 #include <memory>
 #include <mutex>
 
+#include "egl/handle_table.h"
 #include "egl/surface.h"
+#include "egl/sync.h"
 
 namespace rc::egl {
 
 // What an EGLContext stands for.
-struct RenderContext {
+struct RenderContext : Handled {
   RenderContext(const Config &chosen, const Settings &settings, std::shared_ptr<api::SharedObjects> shared)
       : config(chosen), api(settings, std::move(shared)) {}
 
   const Config &config;
   api::Context api;
-  bool current = false;  // on some thread
+  Fences fences;
 };
 
-// Objects by handle. Those in use outlive their removal: whoever uses one shares it.
-template <class Object>
-class HandleTable {
- public:
-  void *add(std::shared_ptr<Object> object) {
-    void *handle = object.get();
-    mObjects.emplace(handle, std::move(object));
-    return handle;
-  }
-  std::shared_ptr<Object> find(void *handle) const {
-    const auto found = mObjects.find(handle);
-    return found == mObjects.end() ? nullptr : found->second;
-  }
-  void remove(void *handle) { mObjects.erase(handle); }
-  void clear() { mObjects.clear(); }
+// A picture that other APIs could share; nothing of RayCore makes use of one yet.
+struct Image : Handled {
+  explicit Image(std::shared_ptr<ddk::Texture> source) : texture(std::move(source)) {}
 
- private:
-  std::map<void *, std::shared_ptr<Object>> mObjects;
+  std::shared_ptr<ddk::Texture> texture;
+};
+
+// What eglGetDisplay and eglGetPlatformDisplay are asked for; the same display for the same answer.
+struct DisplayKey {
+  EGLenum platform;        // EGL_NONE: X11 where there is a server, or no window system
+  void *native = nullptr;  // an Xlib Display *, or null
+  EGLint screen = -1;      // below 0: the default one
+  auto operator<=>(const DisplayKey &) const = default;
 };
 
 struct Display {
-  EGLNativeDisplayType native;
+  DisplayKey key;
   bool initialized = false;
-  std::unique_ptr<Platform> platform;  // null until a window is asked for, or without a window system
+  std::unique_ptr<Platform> platform;  // null until it is needed, or without a window system
   HandleTable<Surface> surfaces;
   HandleTable<RenderContext> contexts;
+  HandleTable<Sync> syncs;
+  HandleTable<Image> images;
 
-  // Connects on first use.
+  // Connects on first use; null without a window system.
   Platform *connect();
+  // What its configs have in common.
+  NativeTraits traits();
 };
 
-// The same display for the same native one; never removed.
-Display *displayFor(EGLNativeDisplayType native);
+// Never removed.
+Display *displayFor(const DisplayKey &key);
 // Null for handles that are no display.
 Display *findDisplay(EGLDisplay handle);
+
+// Whether a context's handle is one of some other display.
+bool belongsToAnotherDisplay(const Display &display, EGLContext context);
 
 // EGL calls of all threads change displays one after the other; tracing is not under this lock.
 std::recursive_mutex &displayMutex();

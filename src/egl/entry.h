@@ -2,30 +2,26 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // entry.h: what every egl* function is made of: it checks its handles, acts, and leaves its verdict as the error of
-// the thread. [EGL 1.4, 3.1]
+// the thread. [EGL 1.5, 3.1]
 #pragma once
 
 // The system's header says nothing about visibility; these are the symbols to export.
 #pragma GCC visibility push(default)
 #include <EGL/egl.h>
 #pragma GCC visibility pop
+#include <EGL/eglext.h>
 
+#include "egl/error.h"
 #include "egl/thread.h"
 
 namespace rc::egl {
 
-// Thrown inside a call, never out of it: the error code of a check that failed.
-struct EglError {
-  EGLint code;
-};
-
-// Runs body under the display lock; its result, or `failure` and the error.
+// Runs body; its result, or `failure` and the error.
 template <class Result, class Body>
-Result enter(Result failure, Body &&body) noexcept {
+Result enterUnlocked(Result failure, Body &&body) noexcept {
   ThreadState &thread = threadState();
+  thread.error = EGL_SUCCESS;
   try {
-    const std::lock_guard lock(displayMutex());
-    thread.error = EGL_SUCCESS;
     return body(thread);
   } catch (const EglError &error) {
     thread.error = error.code;
@@ -35,8 +31,13 @@ Result enter(Result failure, Body &&body) noexcept {
   return failure;
 }
 
-inline void require(bool condition, EGLint code) {
-  if (!condition) throw EglError{code};
+// The same under the display lock, as all that uses displays and handles must be.
+template <class Result, class Body>
+Result enter(Result failure, Body &&body) noexcept {
+  return enterUnlocked<Result>(failure, [&](ThreadState &thread) {
+    const std::lock_guard lock(displayMutex());
+    return body(thread);
+  });
 }
 
 inline Display &displayOf(EGLDisplay handle) {
@@ -58,16 +59,28 @@ inline const Config &configOf(EGLConfig handle) {
   throw EglError{EGL_BAD_CONFIG};
 }
 
+// The object of a handle; `error` for handles that are none.
+template <class Object>
+std::shared_ptr<Object> objectOf(const HandleTable<Object> &table, void *handle, EGLint error) {
+  auto object = table.find(handle);
+  require(object != nullptr, error);
+  return object;
+}
+
 inline std::shared_ptr<Surface> surfaceOf(Display &display, EGLSurface handle) {
-  auto surface = display.surfaces.find(handle);
-  require(surface != nullptr, EGL_BAD_SURFACE);
-  return surface;
+  return objectOf(display.surfaces, handle, EGL_BAD_SURFACE);
 }
 
 inline std::shared_ptr<RenderContext> contextOf(Display &display, EGLContext handle) {
-  auto context = display.contexts.find(handle);
-  require(context != nullptr, EGL_BAD_CONTEXT);
-  return context;
+  return objectOf(display.contexts, handle, EGL_BAD_CONTEXT);
 }
+
+// What eglGetProcAddress knows.
+struct NamedFunction {
+  const char *name;
+  __eglMustCastToProperFunctionPointerType function;
+};
+// Those beyond EGL 1.5's core, which are no symbols of the library.
+std::span<const NamedFunction> extensionFunctions();
 
 }  // namespace rc::egl

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// Entry points: contexts, what is current, waiting. [spec 5; EGL 1.4, 3.7, 3.8]
+// Entry points: contexts. [spec 5; EGL 1.5, 3.7.1, 3.7.2, 3.7.4]
+#include <algorithm>
+
 #include "egl/entry.h"
 
 using namespace rc;
@@ -9,25 +11,75 @@ using namespace rc::egl;
 
 namespace {
 
-void checkContextAttributes(const EGLint *attributes) {
-  const bool lenient = api::profileNamed(settings().profile).anyContextAttribute;
-  for (const EGLint *at = attributes; at && *at != EGL_NONE && !lenient; at += 2) {
-    require(at[0] == EGL_CONTEXT_CLIENT_VERSION, EGL_BAD_ATTRIBUTE);
-    require(at[1] == 1, EGL_BAD_MATCH);
-  }
+// What a list asks for. [EGL 1.5, table 3.6; EGL_KHR_create_context]
+struct ContextAttributes {
+  EGLint major = 1, minor = 0;
+  EGLint flags = 0, debug = EGL_FALSE, robust = EGL_FALSE;
+  EGLint reset = EGL_NO_RESET_NOTIFICATION;
+};
+
+struct Row {
+  EGLint name;
+  EGLint ContextAttributes::*member;
+  ValueCheck valid;
+};
+// Attributes for OpenGL alone are not here.
+constexpr Row kRows[] = {
+    {EGL_CONTEXT_MAJOR_VERSION, &ContextAttributes::major, anyValue},
+    {EGL_CONTEXT_MINOR_VERSION, &ContextAttributes::minor, anyValue},
+    {EGL_CONTEXT_FLAGS_KHR, &ContextAttributes::flags,
+     bitsOf<EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR | EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR>},
+    {EGL_CONTEXT_OPENGL_DEBUG, &ContextAttributes::debug, booleanValue},
+    {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, &ContextAttributes::robust, booleanValue},
+    {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, &ContextAttributes::reset,
+     oneOf<EGL_NO_RESET_NOTIFICATION, EGL_LOSE_CONTEXT_ON_RESET>},
+};
+
+// The versions of OpenGL ES there are; ours is 1.x, and no config is for another.
+void checkVersion(EGLint major, EGLint minor) {
+  const bool later = (major == 2 && minor == 0) || (major == 3 && minor >= 0 && minor <= 2);
+  require(!later, EGL_BAD_CONFIG);
+  require(major == 1 && (minor == 0 || minor == 1), EGL_BAD_MATCH);
 }
 
-// Everything current on the thread is finished. A context is current on one thread: no lock is needed, and other
-// threads need not wait until the frame is traced.
-EGLBoolean finishCurrent() noexcept {
-  ThreadState &thread = threadState();
-  thread.error = EGL_SUCCESS;
-  try {
-    if (thread.context) thread.context->api.finish();
-    return EGL_TRUE;
-  } catch (const std::exception &) {
-    thread.error = EGL_BAD_ALLOC;
-    return EGL_FALSE;
+void checkContextAttributes(Attributes list) {
+  ContextAttributes wanted;
+  for (; list.more(); list.advance()) {
+    const auto *row =
+        std::find_if(std::begin(kRows), std::end(kRows), [&](const Row &r) { return r.name == list.name(); });
+    require(row != std::end(kRows) && row->valid(list.number()), EGL_BAD_ATTRIBUTE);
+    wanted.*row->member = list.number();
+  }
+  checkVersion(wanted.major, wanted.minor);
+  // Client arrays are read wherever they point to, and nothing is ever reset.
+  const bool robust = wanted.robust || wanted.flags & EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR;
+  require(!robust && wanted.reset == EGL_NO_RESET_NOTIFICATION, EGL_BAD_MATCH);
+}
+
+std::shared_ptr<api::SharedObjects> objectsOf(Display &display, EGLContext share) {
+  if (share == EGL_NO_CONTEXT) return nullptr;
+  require(!belongsToAnotherDisplay(display, share), EGL_BAD_MATCH);
+  return contextOf(display, share)->api.shared();
+}
+
+// What draws go to, not what was asked for.
+EGLint renderBuffer(const RenderContext &context, const Current &current) {
+  if (current.context.get() != &context || !current.draw) return EGL_NONE;
+  return current.draw->showsAtOnce() ? EGL_SINGLE_BUFFER : EGL_BACK_BUFFER;
+}
+
+EGLint contextAttribute(const RenderContext &context, EGLint name, const Current &current) {
+  switch (name) {
+    case EGL_CONFIG_ID:
+      return context.config.id;
+    case EGL_CONTEXT_CLIENT_TYPE:
+      return EGL_OPENGL_ES_API;
+    case EGL_CONTEXT_CLIENT_VERSION:
+      return 1;
+    case EGL_RENDER_BUFFER:
+      return renderBuffer(context, current);
+    default:
+      throw EglError{EGL_BAD_ATTRIBUTE};
   }
 }
 
@@ -45,98 +97,28 @@ EGLBoolean eglBindAPI(EGLenum api) {
 
 EGLenum eglQueryAPI(void) { return threadState().api; }
 
-EGLBoolean eglReleaseThread(void) {
-  return enter<EGLBoolean>(EGL_FALSE, [](ThreadState &thread) {
-    thread.makeCurrent(EGL_NO_DISPLAY, nullptr, nullptr);
-    thread.api = EGL_OPENGL_ES_API;
-    return EGL_TRUE;
-  });
-}
-
 EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share, const EGLint *attributes) {
   return enter<EGLContext>(EGL_NO_CONTEXT, [&](ThreadState &) {
     Display &display = initializedDisplay(dpy);
     const Config &chosen = configOf(config);
-    checkContextAttributes(attributes);
-    std::shared_ptr<api::SharedObjects> objects;
-    if (share != EGL_NO_CONTEXT) objects = contextOf(display, share)->api.shared();
-    return display.contexts.add(std::make_shared<RenderContext>(chosen, settings(), std::move(objects)));
+    if (!api::profileNamed(settings().profile).anyContextAttribute) checkContextAttributes(Attributes(attributes));
+    return display.contexts.add(std::make_shared<RenderContext>(chosen, settings(), objectsOf(display, share)));
   });
 }
 
 EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext context) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
     Display &display = initializedDisplay(dpy);
-    contextOf(display, context);
-    display.contexts.remove(context);
+    display.contexts.destroy(*contextOf(display, context));
     return EGL_TRUE;
-  });
-}
-
-EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext context) {
-  return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
-    const bool release = context == EGL_NO_CONTEXT && draw == EGL_NO_SURFACE && read == EGL_NO_SURFACE;
-    if (release) {
-      displayOf(dpy);  // may be terminated already
-      thread.makeCurrent(EGL_NO_DISPLAY, nullptr, nullptr);
-      return EGL_TRUE;
-    }
-    Display &display = initializedDisplay(dpy);
-    require(context != EGL_NO_CONTEXT && draw != EGL_NO_SURFACE && read != EGL_NO_SURFACE, EGL_BAD_MATCH);
-    auto newContext = contextOf(display, context);
-    auto newDraw = surfaceOf(display, draw);
-    surfaceOf(display, read);
-    require(!newContext->current || newContext == thread.context, EGL_BAD_ACCESS);
-    require(!newDraw->current || newDraw == thread.draw, EGL_BAD_ACCESS);
-    require(newContext->config.compatibleWith(newDraw->config()), EGL_BAD_MATCH);
-    thread.makeCurrent(dpy, std::move(newContext), std::move(newDraw));
-    return EGL_TRUE;
-  });
-}
-
-EGLContext eglGetCurrentContext(void) { return threadState().context.get(); }
-
-EGLDisplay eglGetCurrentDisplay(void) { return threadState().display; }
-
-EGLSurface eglGetCurrentSurface(EGLint readdraw) {
-  return enter<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &thread) {
-    require(readdraw == EGL_READ || readdraw == EGL_DRAW, EGL_BAD_PARAMETER);
-    return thread.draw.get();
   });
 }
 
 EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext context, EGLint name, EGLint *value) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
-    const auto found = contextOf(initializedDisplay(dpy), context);
-    EGLint result = 0;
-    switch (name) {
-      case EGL_CONFIG_ID:
-        result = found->config.id;
-        break;
-      case EGL_CONTEXT_CLIENT_TYPE:
-        result = EGL_OPENGL_ES_API;
-        break;
-      case EGL_CONTEXT_CLIENT_VERSION:
-        result = 1;
-        break;
-      case EGL_RENDER_BUFFER:
-        result = found == thread.context && thread.draw ? EGL_BACK_BUFFER : EGL_NONE;
-        break;
-      default:
-        throw EglError{EGL_BAD_ATTRIBUTE};
-    }
-    if (value) *value = result;
-    return EGL_TRUE;
-  });
-}
-
-EGLBoolean eglWaitClient(void) { return finishCurrent(); }
-
-EGLBoolean eglWaitGL(void) { return finishCurrent(); }
-
-EGLBoolean eglWaitNative(EGLint engine) {
-  return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
-    require(engine == EGL_CORE_NATIVE_ENGINE, EGL_BAD_PARAMETER);
+    const EGLint found = contextAttribute(*contextOf(initializedDisplay(dpy), context), name, thread.current);
+    require(value, EGL_BAD_PARAMETER);
+    *value = found;
     return EGL_TRUE;
   });
 }

@@ -1,39 +1,96 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// Entry points: displays, configs, errors, function pointers. [spec 5; EGL 1.4, 3.1 to 3.4, 3.10]
-#include <cstring>
+// Entry points: displays, strings, errors. [spec 5; EGL 1.5, 3.1 to 3.3]
 #include <utility>
 
-#include "RC/rcu.h"
 #include "egl/entry.h"
+#include "egl/twins.h"
 
 using namespace rc;
 using namespace rc::egl;
 
 namespace {
 
-EGLBoolean returnConfigs(std::span<const Config *const> found, EGLConfig *out, EGLint size, EGLint *count) {
-  const auto all = static_cast<EGLint>(found.size());
-  const EGLint given = out ? std::min(all, std::max(size, 0)) : all;
-  for (EGLint i = 0; out && i < given; ++i) out[i] = const_cast<Config *>(found[size_t(i)]);
-  *count = given;
-  return EGL_TRUE;
+constexpr char kVersion[] = "1.5 RayCore";
+constexpr char kClientExtensions[] =
+    "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_EXT_platform_x11 EGL_KHR_client_get_all_proc_addresses "
+    "EGL_KHR_platform_x11 EGL_MESA_platform_surfaceless";
+constexpr char kDisplayExtensions[] =
+    "EGL_EXT_buffer_age EGL_KHR_create_context EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
+    "EGL_KHR_gl_texture_2D_image EGL_KHR_image_base EGL_KHR_surfaceless_context EGL_KHR_swap_buffers_with_damage "
+    "EGL_KHR_wait_sync";
+
+const char *clientString(EGLint name) {
+  require(name == EGL_EXTENSIONS || name == EGL_VERSION, EGL_BAD_DISPLAY);
+  return name == EGL_VERSION ? kVersion : kClientExtensions;
+}
+
+const char *displayString(EGLint name) {
+  switch (name) {
+    case EGL_VENDOR:
+      return "Siliconarts";
+    case EGL_VERSION:
+      return kVersion;
+    case EGL_CLIENT_APIS:
+      return "OpenGL_ES";
+    case EGL_EXTENSIONS:
+      return kDisplayExtensions;
+    default:
+      throw EglError{EGL_BAD_PARAMETER};
+  }
+}
+
+// A program that names X11 needs it; the default display does without where there is none.
+bool windowSystemWorks(Display &display) {
+  return display.key.platform != EGL_PLATFORM_X11_KHR || display.connect() != nullptr;
+}
+
+EGLint numberAfter(Attributes list, EGLAttrib name, EGLint otherwise) {
+  EGLint number = otherwise;
+  for (; list.more(); list.advance()) {
+    require(list.name() == name, EGL_BAD_ATTRIBUTE);
+    number = list.number();
+    require(number >= 0, EGL_BAD_ATTRIBUTE);
+  }
+  return number;
 }
 
 }  // namespace
 
+namespace rc::egl {
+
+Display *platformDisplay(EGLenum platform, void *native, Attributes list) {
+  if (platform == EGL_PLATFORM_X11_KHR) {
+    return displayFor({platform, native, numberAfter(list, EGL_PLATFORM_X11_SCREEN_KHR, -1)});
+  }
+  require(platform == EGL_PLATFORM_SURFACELESS_MESA && !native, EGL_BAD_PARAMETER);
+  require(!list.more(), EGL_BAD_ATTRIBUTE);
+  return displayFor({platform});
+}
+
+}  // namespace rc::egl
+
 extern "C" {
 
 EGLDisplay eglGetDisplay(EGLNativeDisplayType native) {
-  return enter<EGLDisplay>(EGL_NO_DISPLAY, [&](ThreadState &) { return displayFor(native); });
+  return enter<EGLDisplay>(EGL_NO_DISPLAY, [&](ThreadState &) {
+    return displayFor({native ? EGLenum{EGL_PLATFORM_X11_KHR} : EGLenum{EGL_NONE}, native});
+  });
+}
+
+EGLDisplay eglGetPlatformDisplay(EGLenum platform, void *native, const EGLAttrib *attributes) {
+  return enter<EGLDisplay>(EGL_NO_DISPLAY,
+                           [&](ThreadState &) { return platformDisplay(platform, native, Attributes(attributes)); });
 }
 
 EGLBoolean eglInitialize(EGLDisplay dpy, EGLint *major, EGLint *minor) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
-    displayOf(dpy).initialized = true;
+    Display &display = displayOf(dpy);
+    require(windowSystemWorks(display), EGL_NOT_INITIALIZED);
+    display.initialized = true;
     if (major) *major = 1;
-    if (minor) *minor = 4;
+    if (minor) *minor = 5;
     return EGL_TRUE;
   });
 }
@@ -44,6 +101,8 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
     Display &display = displayOf(dpy);
     display.surfaces.clear();
     display.contexts.clear();
+    display.syncs.clear();
+    display.images.clear();
     display.platform = nullptr;
     display.initialized = false;
     return EGL_TRUE;
@@ -51,72 +110,13 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
 }
 
 const char *eglQueryString(EGLDisplay dpy, EGLint name) {
-  return enter<const char *>(nullptr, [&](ThreadState &) -> const char * {
+  return enter<const char *>(nullptr, [&](ThreadState &) {
+    if (dpy == EGL_NO_DISPLAY) return clientString(name);
     initializedDisplay(dpy);
-    switch (name) {
-      case EGL_VENDOR:
-        return "Siliconarts";
-      case EGL_VERSION:
-        return "1.4 RayCore";
-      case EGL_CLIENT_APIS:
-        return "OpenGL_ES";
-      case EGL_EXTENSIONS:
-        return "";
-      default:
-        throw EglError{EGL_BAD_PARAMETER};
-    }
-  });
-}
-
-EGLBoolean eglGetConfigs(EGLDisplay dpy, EGLConfig *out, EGLint size, EGLint *count) {
-  return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
-    initializedDisplay(dpy);
-    require(count, EGL_BAD_PARAMETER);
-    return returnConfigs(*matchConfigs(nullptr), out, size, count);
-  });
-}
-
-EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint *attributes, EGLConfig *out, EGLint size, EGLint *count) {
-  return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
-    initializedDisplay(dpy);
-    require(count, EGL_BAD_PARAMETER);
-    const auto matching = matchConfigs(attributes);
-    require(matching.has_value(), EGL_BAD_ATTRIBUTE);
-    return returnConfigs(*matching, out, size, count);
-  });
-}
-
-EGLBoolean eglGetConfigAttrib(EGLDisplay dpy, EGLConfig handle, EGLint name, EGLint *value) {
-  return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
-    initializedDisplay(dpy);
-    const std::optional<EGLint> found = configOf(handle).attribute(name);
-    require(found.has_value(), EGL_BAD_ATTRIBUTE);
-    require(value, EGL_BAD_PARAMETER);
-    *value = *found;
-    return EGL_TRUE;
+    return displayString(name);
   });
 }
 
 EGLint eglGetError(void) { return std::exchange(threadState().error, EGL_SUCCESS); }
-
-__eglMustCastToProperFunctionPointerType eglGetProcAddress(const char *name) {
-  using Function = __eglMustCastToProperFunctionPointerType;
-  struct Row {
-    const char *name;
-    Function function;
-  };
-#define RC_ENTRY(entry) {#entry, reinterpret_cast<Function>(entry)},
-#define RC_FUNCTION(result, name, ...) RC_ENTRY(name)
-  static const Row kEntries[] = {
-#include "api/functions.inc"
-#include "egl/entry_points.inc"
-  };
-#undef RC_FUNCTION
-#undef RC_ENTRY
-  for (const Row &row : kEntries) {
-    if (name && !std::strcmp(row.name, name)) return row.function;
-  }
-  return nullptr;
-}
 
 }  // extern "C"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// Entry points: surfaces and swaps. [spec 5; G D 1.3; EGL 1.4, 3.5, 3.9]
+// Entry points: surfaces and their attributes. [spec 5; G D 1.3; EGL 1.5, 3.5]
 #include "egl/entry.h"
-#include "egl/swap.h"
+#include "egl/twins.h"
 
 using namespace rc;
 using namespace rc::egl;
@@ -11,96 +11,103 @@ using namespace rc::egl;
 namespace {
 
 constexpr Size kDefaultWindow{800, 480};
-constexpr EGLint kLargestSide = 16384;
 
-// Window attributes of EGL 1.4; all surfaces have one back buffer, so there is nothing to choose.
-void checkWindowAttributes(const EGLint *attributes) {
-  for (const EGLint *at = attributes; at && *at != EGL_NONE; at += 2) {
-    require(at[0] == EGL_RENDER_BUFFER || at[0] == EGL_VG_COLORSPACE || at[0] == EGL_VG_ALPHA_FORMAT,
-            EGL_BAD_ATTRIBUTE);
-  }
+EGLSurface add(Display &display, const Config &config, EGLint kind, const SurfaceAttributes &attributes, Size size,
+               std::unique_ptr<NativeDrawable> drawable, EGLNativeWindowType native) {
+  return display.surfaces.add(std::make_shared<Surface>(config, kind, attributes, size, std::move(drawable), native));
 }
 
-Size pbufferSize(const EGLint *attributes) {
-  Size size;
-  for (const EGLint *at = attributes; at && *at != EGL_NONE; at += 2) {
-    switch (at[0]) {
-      case EGL_WIDTH:
-        size.width = at[1];
-        break;
-      case EGL_HEIGHT:
-        size.height = at[1];
-        break;
-      case EGL_LARGEST_PBUFFER:
-      case EGL_TEXTURE_FORMAT:
-      case EGL_TEXTURE_TARGET:
-      case EGL_MIPMAP_TEXTURE:
-      case EGL_VG_COLORSPACE:
-      case EGL_VG_ALPHA_FORMAT:
-        break;
-      default:
-        throw EglError{EGL_BAD_ATTRIBUTE};
-    }
-  }
-  require(size.width >= 0 && size.height >= 0, EGL_BAD_PARAMETER);
-  require(size.width <= kLargestSide && size.height <= kLargestSide, EGL_BAD_ALLOC);
-  return size;
+// A window or pixmap has one surface at most.
+void requireNoSurface(const Display &display, EGLint kind, EGLNativeWindowType native) {
+  require(!display.surfaces.any([&](const Surface &other) { return other.kind() == kind && other.native() == native; }),
+          EGL_BAD_ALLOC);
+}
+
+EGLSurface addNative(Display &display, const Config &config, EGLint kind, const SurfaceAttributes &attributes,
+                     std::unique_ptr<NativeDrawable> drawable, EGLNativeWindowType native, EGLint error) {
+  require(drawable != nullptr, error);
+  const std::optional<Size> size = drawable->size();
+  require(size.has_value(), error);
+  return add(display, config, kind, attributes, *size, std::move(drawable), native);
 }
 
 // A window of the program, or for null one of our own, or off-screen where there is no window system.
-std::shared_ptr<Surface> makeWindowSurface(Display &display, const Config &config, EGLNativeWindowType native) {
+EGLSurface createWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType native, Attributes list) {
+  Display &display = initializedDisplay(dpy);
+  const Config &chosen = configOf(config);
+  const SurfaceAttributes attributes = readSurfaceAttributes(EGL_WINDOW_BIT, chosen, list);
+  require(display.key.platform != EGL_PLATFORM_SURFACELESS_MESA, EGL_BAD_NATIVE_WINDOW);
   Platform *platform = display.connect();
-  if (!native && !platform) return std::make_shared<Surface>(config, kDefaultWindow, nullptr);
+  if (!native && !platform) return add(display, chosen, EGL_WINDOW_BIT, attributes, kDefaultWindow, nullptr, 0);
   require(platform, EGL_BAD_NATIVE_WINDOW);
-  std::unique_ptr<NativeWindow> window = native ? platform->adopt(native) : platform->create(kDefaultWindow);
-  require(window != nullptr, EGL_BAD_NATIVE_WINDOW);
-  const std::optional<Size> size = window->size();
-  require(size.has_value(), EGL_BAD_NATIVE_WINDOW);
-  return std::make_shared<Surface>(config, *size, std::move(window));
+  if (native) requireNoSurface(display, EGL_WINDOW_BIT, native);
+  return addNative(display, chosen, EGL_WINDOW_BIT, attributes,
+                   native ? platform->adoptWindow(native) : platform->createWindow(kDefaultWindow), native,
+                   EGL_BAD_NATIVE_WINDOW);
 }
 
-EGLint surfaceAttribute(const Surface &surface, EGLint name) {
-  switch (name) {
-    case EGL_CONFIG_ID:
-      return surface.config().id;
-    case EGL_WIDTH:
-      return surface.size().width;
-    case EGL_HEIGHT:
-      return surface.size().height;
-    case EGL_RENDER_BUFFER:
-      return EGL_BACK_BUFFER;
-    case EGL_SWAP_BEHAVIOR:
-      return EGL_BUFFER_PRESERVED;
-    case EGL_MULTISAMPLE_RESOLVE:
-      return EGL_MULTISAMPLE_RESOLVE_DEFAULT;
-    case EGL_LARGEST_PBUFFER:
-      return EGL_FALSE;
-    case EGL_TEXTURE_FORMAT:
-    case EGL_TEXTURE_TARGET:
-      return EGL_NO_TEXTURE;
-    case EGL_MIPMAP_TEXTURE:
-    case EGL_MIPMAP_LEVEL:
-      return 0;
-    case EGL_HORIZONTAL_RESOLUTION:
-    case EGL_VERTICAL_RESOLUTION:
-    case EGL_PIXEL_ASPECT_RATIO:
-      return EGL_UNKNOWN;
-    default:
-      throw EglError{EGL_BAD_ATTRIBUTE};
-  }
+EGLSurface createPixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmapType native, Attributes list) {
+  Display &display = initializedDisplay(dpy);
+  const Config &chosen = configOf(config);
+  const SurfaceAttributes attributes = readSurfaceAttributes(EGL_PIXMAP_BIT, chosen, list);
+  Platform *platform = display.connect();
+  const std::optional<bool> works = platform ? platform->holdsPictures(native) : std::nullopt;
+  require(works.has_value(), EGL_BAD_NATIVE_PIXMAP);
+  require(*works, EGL_BAD_MATCH);
+  requireNoSurface(display, EGL_PIXMAP_BIT, native);
+  return addNative(display, chosen, EGL_PIXMAP_BIT, attributes, platform->adoptPixmap(native), native,
+                   EGL_BAD_NATIVE_PIXMAP);
+}
+
+Size pbufferSize(const SurfaceAttributes &wanted) {
+  if (wanted.largestPbuffer) return {std::min(wanted.width, kLargestSide), std::min(wanted.height, kLargestSide)};
+  require(wanted.width <= kLargestSide && wanted.height <= kLargestSide, EGL_BAD_ALLOC);
+  return {wanted.width, wanted.height};
 }
 
 }  // namespace
+
+namespace rc::egl {
+
+EGLSurface createPlatformWindowSurface(EGLDisplay dpy, EGLConfig config, const void *native, Attributes list) {
+  initializedDisplay(dpy);
+  configOf(config);
+  require(native, EGL_BAD_NATIVE_WINDOW);
+  return createWindowSurface(dpy, config, *static_cast<const unsigned long *>(native), list);
+}
+
+EGLSurface createPlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, const void *native, Attributes list) {
+  initializedDisplay(dpy);
+  configOf(config);
+  require(native, EGL_BAD_NATIVE_PIXMAP);
+  return createPixmapSurface(dpy, config, *static_cast<const unsigned long *>(native), list);
+}
+
+}  // namespace rc::egl
 
 extern "C" {
 
 EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType window,
                                   const EGLint *attributes) {
+  return enter<EGLSurface>(
+      EGL_NO_SURFACE, [&](ThreadState &) { return createWindowSurface(dpy, config, window, Attributes(attributes)); });
+}
+
+EGLSurface eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void *native, const EGLAttrib *attributes) {
   return enter<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) {
-    Display &display = initializedDisplay(dpy);
-    const Config &chosen = configOf(config);
-    checkWindowAttributes(attributes);
-    return display.surfaces.add(makeWindowSurface(display, chosen, window));
+    return createPlatformWindowSurface(dpy, config, native, Attributes(attributes));
+  });
+}
+
+EGLSurface eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmapType pixmap,
+                                  const EGLint *attributes) {
+  return enter<EGLSurface>(
+      EGL_NO_SURFACE, [&](ThreadState &) { return createPixmapSurface(dpy, config, pixmap, Attributes(attributes)); });
+}
+
+EGLSurface eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void *native, const EGLAttrib *attributes) {
+  return enter<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) {
+    return createPlatformPixmapSurface(dpy, config, native, Attributes(attributes));
   });
 }
 
@@ -108,55 +115,50 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
   return enter<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) {
     Display &display = initializedDisplay(dpy);
     const Config &chosen = configOf(config);
-    return display.surfaces.add(std::make_shared<Surface>(chosen, pbufferSize(attributes), nullptr));
+    const SurfaceAttributes wanted = readSurfaceAttributes(EGL_PBUFFER_BIT, chosen, Attributes(attributes));
+    return add(display, chosen, EGL_PBUFFER_BIT, wanted, pbufferSize(wanted), nullptr, 0);
+  });
+}
+
+// Only OpenVG has such buffers, and there is no OpenVG.
+EGLSurface eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum, EGLClientBuffer, EGLConfig config,
+                                            const EGLint *) {
+  return enter<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) -> EGLSurface {
+    initializedDisplay(dpy);
+    configOf(config);
+    throw EglError{EGL_BAD_PARAMETER};
   });
 }
 
 EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface surface) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
     Display &display = initializedDisplay(dpy);
-    surfaceOf(display, surface);
-    display.surfaces.remove(surface);
+    display.surfaces.destroy(*surfaceOf(display, surface));
     return EGL_TRUE;
   });
 }
 
-EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint name, EGLint *value) {
+EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface surface, EGLint name, EGLint value) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
-    const EGLint found = surfaceAttribute(*surfaceOf(initializedDisplay(dpy), surface), name);
-    if (value) *value = found;
+    setSurfaceAttribute(*surfaceOf(initializedDisplay(dpy), surface), name, value);
     return EGL_TRUE;
   });
 }
 
-// Pictures are shown when they are done; there is no vertical retrace to wait for.
-EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint) {
+EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint name, EGLint *value) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
-    initializedDisplay(dpy);
-    require(thread.context != nullptr, EGL_BAD_CONTEXT);
-    require(thread.draw != nullptr, EGL_BAD_SURFACE);
+    const auto surface = surfaceOf(initializedDisplay(dpy), handle);
+    std::optional<EGLint> found;
+    if (name == EGL_BUFFER_AGE_EXT) {
+      require(thread.current.draw == surface, EGL_BAD_SURFACE);
+      found = surface->age();
+    } else {
+      found = surfaceAttribute(*surface, name);
+    }
+    require(value, EGL_BAD_PARAMETER);
+    if (found) *value = *found;
     return EGL_TRUE;
   });
-}
-
-EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
-  // Tracing takes long: only the handles are looked up under the lock.
-  std::shared_ptr<Surface> surface;
-  std::shared_ptr<RenderContext> context;
-  const EGLBoolean valid = enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
-    surface = surfaceOf(initializedDisplay(dpy), handle);
-    require(thread.draw == surface, EGL_BAD_SURFACE);
-    context = thread.context;
-    return EGL_TRUE;
-  });
-  if (!valid) return EGL_FALSE;
-  try {
-    if (swapBuffers(*context, *surface)) return EGL_TRUE;
-    threadState().error = EGL_BAD_NATIVE_WINDOW;
-  } catch (const std::exception &) {
-    threadState().error = EGL_BAD_ALLOC;
-  }
-  return EGL_FALSE;
 }
 
 }  // extern "C"

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// X11 windows, on a connection of our own: the program's may be in use by another thread.
+// X11 windows and pixmaps.
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 #include <X11/keysym.h>
 
 #include <chrono>
-#include <mutex>
+#include <cstdlib>
 #include <thread>
 
 #include "egl/platform.h"
+#include "egl/x11_connection.h"
 #include "egl/x11_image.h"
 
 namespace rc::egl {
@@ -21,92 +22,144 @@ using namespace std::chrono_literals;
 // A window made a moment ago on another connection may not have reached the server yet.
 constexpr auto kPatience = 1000ms, kPause = 5ms;
 
-struct CloseDisplay {
-  void operator()(::Display *display) const { XCloseDisplay(display); }
-};
-using Connection = std::shared_ptr<::Display>;
+using Connection = std::shared_ptr<X11Connection>;
 
-class X11Window final : public NativeWindow {
+struct Geometry {
+  Size size;
+  int depth = 0;
+};
+
+std::optional<Geometry> geometryOf(const X11Connection &connection, ::Drawable drawable) {
+  if (!connection.alive()) return std::nullopt;
+  const ErrorTrap trap(connection);
+  ::Window root;
+  int x, y;
+  unsigned width = 0, height = 0, border, depth = 0;
+  if (!XGetGeometry(connection.display(), drawable, &root, &x, &y, &width, &height, &border, &depth)) {
+    return std::nullopt;
+  }
+  return Geometry{{int(width), int(height)}, int(depth)};
+}
+
+class X11Drawable : public NativeDrawable {
  public:
-  X11Window(Connection connection, ::Window window, const XWindowAttributes &attributes, bool ours)
-      : mConnection(std::move(connection)), mWindow(window), mOurs(ours), mImage(mConnection.get(), attributes) {
-    if (ours) mDeleteWindow = XInternAtom(mConnection.get(), "WM_DELETE_WINDOW", False);
-  }
-  ~X11Window() override {
-    if (!mOurs) return;
-    const ErrorTrap trap(mConnection.get());
-    XDestroyWindow(mConnection.get(), mWindow);
-  }
+  X11Drawable(Connection connection, ::Drawable drawable, ::Visual *visual, int depth)
+      : mConnection(std::move(connection)), mDrawable(drawable), mImage(*mConnection, visual, depth) {}
 
   std::optional<Size> size() override {
-    const ErrorTrap trap(mConnection.get());
-    ::Window root;
-    int x, y;
-    unsigned width, height, border, depth;
-    if (!XGetGeometry(mConnection.get(), mWindow, &root, &x, &y, &width, &height, &border, &depth)) return std::nullopt;
-    return Size{int(width), int(height)};
+    const std::optional<Geometry> geometry = geometryOf(*mConnection, mDrawable);
+    return geometry ? std::optional(geometry->size) : std::nullopt;
   }
 
-  bool present(const hal::Target &picture) override { return mImage.put(mWindow, picture); }
+  bool present(const hal::Target &picture) override { return mImage.put(mDrawable, picture); }
+
+ protected:
+  Connection mConnection;
+  ::Drawable mDrawable;
+
+ private:
+  X11Image mImage;
+};
+
+// The library's own window.
+class OwnWindow final : public X11Drawable {
+ public:
+  OwnWindow(const Connection &connection, ::Window window, const XWindowAttributes &attributes, Atom deleteWindow)
+      : X11Drawable(connection, window, attributes.visual, attributes.depth), mDeleteWindow(deleteWindow) {}
+  ~OwnWindow() override {
+    if (!mConnection->alive()) return;
+    const ErrorTrap trap(*mConnection);
+    XDestroyWindow(mConnection->display(), mDrawable);
+  }
 
   bool closeRequested() override {
-    if (!mOurs) return false;
+    if (!mConnection->alive()) return false;
+    const ErrorTrap trap(*mConnection);
     XEvent event;
     bool close = false;
-    while (XCheckTypedWindowEvent(mConnection.get(), mWindow, KeyPress, &event)) {
+    while (XCheckTypedWindowEvent(mConnection->display(), mDrawable, KeyPress, &event)) {
       close |= XLookupKeysym(&event.xkey, 0) == XK_Escape;
     }
-    while (XCheckTypedWindowEvent(mConnection.get(), mWindow, ClientMessage, &event)) {
+    while (XCheckTypedWindowEvent(mConnection->display(), mDrawable, ClientMessage, &event)) {
       close |= Atom(event.xclient.data.l[0]) == mDeleteWindow;
     }
     return close;
   }
 
  private:
-  Connection mConnection;
-  ::Window mWindow;
-  bool mOurs;
-  Atom mDeleteWindow = None;
-  X11Image mImage;
+  Atom mDeleteWindow;
 };
 
 class X11Platform final : public Platform {
  public:
-  explicit X11Platform(::Display *display) : mConnection(display, CloseDisplay()) {}
+  explicit X11Platform(Connection connection) : mConnection(std::move(connection)) {}
 
-  std::unique_ptr<NativeWindow> adopt(EGLNativeWindowType window) override {
+  NativeTraits traits() const override {
+    NativeTraits traits;
+    const ::Visual *visual = DefaultVisual(mConnection->display(), mConnection->screen());
+    traits.visualId = static_cast<EGLint>(XVisualIDFromVisual(const_cast<::Visual *>(visual)));
+    traits.visualType = visual->c_class;
+    return traits;
+  }
+
+  std::unique_ptr<NativeDrawable> adoptWindow(EGLNativeWindowType window) override {
     const auto deadline = std::chrono::steady_clock::now() + kPatience;
     XWindowAttributes attributes;
     while (!attributesOf(window, attributes)) {
-      if (std::chrono::steady_clock::now() > deadline) return nullptr;
+      if (!mConnection->alive() || std::chrono::steady_clock::now() > deadline) return nullptr;
       std::this_thread::sleep_for(kPause);
     }
-    return std::make_unique<X11Window>(mConnection, window, attributes, false);
+    return std::make_unique<X11Drawable>(mConnection, window, attributes.visual, attributes.depth);
   }
 
-  std::unique_ptr<NativeWindow> create(Size size) override {
-    ::Display *display = mConnection.get();
-    const ::Window window = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, unsigned(size.width),
-                                                unsigned(size.height), 0, 0, 0);
+  std::unique_ptr<NativeDrawable> createWindow(Size size) override {
+    if (!mConnection->alive()) return nullptr;
+    Atom deleteWindow = None;
+    const ::Window window = mapWindow(size, deleteWindow);
+    XWindowAttributes attributes;
+    if (!attributesOf(window, attributes)) return nullptr;
+    return std::make_unique<OwnWindow>(mConnection, window, attributes, deleteWindow);
+  }
+
+  std::optional<bool> holdsPictures(EGLNativePixmapType pixmap) override {
+    const std::optional<Geometry> geometry = geometryOf(*mConnection, pixmap);
+    if (!geometry || isWindow(pixmap)) return std::nullopt;
+    return mConnection->visualOf(geometry->depth) != nullptr;
+  }
+
+  std::unique_ptr<NativeDrawable> adoptPixmap(EGLNativePixmapType pixmap) override {
+    const std::optional<Geometry> geometry = geometryOf(*mConnection, pixmap);
+    ::Visual *visual = geometry ? mConnection->visualOf(geometry->depth) : nullptr;
+    if (!visual) return nullptr;
+    return std::make_unique<X11Drawable>(mConnection, pixmap, visual, geometry->depth);
+  }
+
+ private:
+  ::Window mapWindow(Size size, Atom &deleteWindow) const {
+    const ErrorTrap trap(*mConnection);
+    ::Display *display = mConnection->display();
+    const ::Window window =
+        XCreateSimpleWindow(display, mConnection->root(), 0, 0, unsigned(size.width), unsigned(size.height), 0, 0, 0);
     XStoreName(display, window, "RayCore");
-    Atom deleteWindow = XInternAtom(display, "WM_DELETE_WINDOW", False);
+    deleteWindow = XInternAtom(display, "WM_DELETE_WINDOW", False);
     XSetWMProtocols(display, window, &deleteWindow, 1);
     XSelectInput(display, window, KeyPressMask | StructureNotifyMask);
     XMapWindow(display, window);
     XEvent event;
     do {  // what is put before it is mapped would be lost
       XWindowEvent(display, window, StructureNotifyMask, &event);
-    } while (event.type != MapNotify);
-    XSelectInput(display, window, KeyPressMask);
-    XWindowAttributes attributes;
-    if (!attributesOf(window, attributes)) return nullptr;
-    return std::make_unique<X11Window>(mConnection, window, attributes, true);
+    } while (mConnection->alive() && event.type != MapNotify);
+    if (mConnection->alive()) XSelectInput(display, window, KeyPressMask);
+    return window;
   }
-
- private:
-  bool attributesOf(::Window window, XWindowAttributes &attributes) {
-    const ErrorTrap trap(mConnection.get());
-    return XGetWindowAttributes(mConnection.get(), window, &attributes) != 0;
+  bool attributesOf(::Window window, XWindowAttributes &attributes) const {
+    if (!mConnection->alive()) return false;
+    const ErrorTrap trap(*mConnection);
+    return XGetWindowAttributes(mConnection->display(), window, &attributes) != 0;
+  }
+  bool isWindow(::Drawable drawable) const {
+    XWindowAttributes ignored;
+    return attributesOf(drawable, ignored);
   }
 
   Connection mConnection;
@@ -114,11 +167,12 @@ class X11Platform final : public Platform {
 
 }  // namespace
 
-std::unique_ptr<Platform> connectX11(EGLNativeDisplayType native) {
-  static std::once_flag threads;
-  std::call_once(threads, [] { XInitThreads(); });
-  ::Display *display = XOpenDisplay(native ? DisplayString(reinterpret_cast<::Display *>(native)) : nullptr);
-  return display ? std::make_unique<X11Platform>(display) : nullptr;
+std::unique_ptr<Platform> connectX11(void *native, int screen) {
+  // Without a name there is no server: Xlib need not be asked.
+  const char *name = std::getenv("DISPLAY");
+  if (!native && (!name || !*name)) return nullptr;
+  auto connection = X11Connection::open(native ? DisplayString(static_cast<::Display *>(native)) : nullptr, screen);
+  return connection ? std::make_unique<X11Platform>(std::move(connection)) : nullptr;
 }
 
 }  // namespace rc::egl

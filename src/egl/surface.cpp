@@ -3,11 +3,34 @@
 #include "egl/surface.h"
 
 namespace rc::egl {
+namespace {
+
+constexpr uint32_t kBlack = 0xff000000u;
+
+// What is left of a colour in a buffer of 5, 6 and 5 bits; the upper bits are repeated, so that full stays full.
+uint32_t roundTo565(uint32_t rgba) {
+  const auto keep = [&](int shift, int bits) {
+    const uint32_t top = (rgba >> shift & 255) >> (8 - bits) << (8 - bits);
+    return (top | top >> bits) << shift;
+  };
+  return keep(0, 5) | keep(8, 6) | keep(16, 5) | (rgba & kBlack);
+}
+
+}  // namespace
+
+Surface::Surface(const Config &config, EGLint kind, const SurfaceAttributes &initial, Size size,
+                 std::unique_ptr<NativeDrawable> drawable, EGLNativeWindowType native)
+    : attributes(initial), mConfig(config), mKind(kind), mNative(native), mDrawable(std::move(drawable)), mSize(size) {}
+
+bool Surface::checkNative() {
+  if (mDrawable && !mGone && !mDrawable->size()) mGone = true;
+  return !mGone;
+}
 
 hal::Target Surface::backBuffer() {
-  if (mWindow && !mGone) {
-    if (const std::optional<Size> now = mWindow->size()) {
-      if (*now != mSize) resize(*now);
+  if (mDrawable && !mGone) {
+    if (const std::optional<Size> now = mDrawable->size()) {
+      if (*now != size()) resize(*now);
     } else {
       mGone = true;
     }
@@ -15,15 +38,31 @@ hal::Target Surface::backBuffer() {
   return picture();
 }
 
+hal::Target Surface::picture() {
+  const Size size = mSize;
+  if (mPixels.empty()) mPixels.assign(size_t(size.width) * size_t(size.height), kBlack);
+  return {mPixels.data(), size.width, size.height};
+}
+
+void Surface::traced() {
+  if (mConfig.red == 5) {
+    for (uint32_t &pixel : mPixels) pixel = roundTo565(pixel);
+  }
+  if (showsAtOnce()) present();
+  if (fences) fences->pass();
+}
+
 bool Surface::present() {
-  if (!mWindow) return true;
-  if (!mGone && mWindow->present(picture())) return true;
+  mSwapped = true;
+  if (!mDrawable) return true;
+  if (!mGone && mDrawable->present(picture())) return true;
   mGone = true;
   return false;
 }
 
 void Surface::resize(Size size) {
-  mPixels.assign(size_t(size.width) * size_t(size.height), 0xff000000u);
+  mPixels.clear();
+  mSwapped = false;
   mSize = size;
 }
 

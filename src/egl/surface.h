@@ -1,48 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// surface.h: a window or an off-screen picture that a context traces into. [spec 5; EGL 1.4, 3.5]
+// surface.h: a window, a pixmap or an off-screen picture that a context traces into. [spec 5; EGL 1.5, 3.5]
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
 #include "api/context.h"
-#include "egl/config.h"
+#include "egl/handle_table.h"
 #include "egl/platform.h"
+#include "egl/surface_attributes.h"
+#include "egl/sync.h"
+#include "egl/texture_binding.h"
 
 namespace rc::egl {
 
-class Surface final : public api::DrawSurface {
+class Surface final : public api::DrawSurface, public Handled {
  public:
-  // window: null for off-screen surfaces.
-  Surface(const Config &config, Size size, std::unique_ptr<NativeWindow> window)
-      : mConfig(config), mWindow(std::move(window)) {
-    resize(size);
-  }
+  // kind: EGL_WINDOW_BIT, EGL_PBUFFER_BIT, EGL_PIXMAP_BIT. drawable: null for off-screen surfaces.
+  Surface(const Config &config, EGLint kind, const SurfaceAttributes &initial, Size size,
+          std::unique_ptr<NativeDrawable> drawable, EGLNativeWindowType native);
 
   const Config &config() const { return mConfig; }
+  EGLint kind() const { return mKind; }
+  EGLNativeWindowType native() const { return mNative; }
   Size size() const { return mSize; }
-  bool isWindow() const { return mWindow != nullptr; }
+  // Its window or pixmap no longer exists.
   bool gone() const { return mGone; }
+  // Looks whether it still exists.
+  bool checkNative();
+  // What a context draws is seen when it is traced, not at a swap.
+  bool showsAtOnce() const { return attributes.renderBuffer == EGL_SINGLE_BUFFER; }
+  // Swaps since the back buffer had the contents it has now; 0 if they are not defined. [EGL_EXT_buffer_age]
+  EGLint age() const { return mSwapped ? 1 : 0; }
 
-  bool current = false;  // on some thread
+  SurfaceAttributes attributes;
+  TextureBinding texture;    // by eglBindTexImage
+  Fences *fences = nullptr;  // of the context that draws to it
 
   hal::Target backBuffer() override;
+  int samples() const override { return std::max(mConfig.samples, 1); }
+  void traced() override;
+
   // What was traced last, at the size it was traced for.
-  hal::Target picture() { return {mPixels.data(), mSize.width, mSize.height}; }
+  hal::Target picture();
   // Shows it; false if the window is gone.
   bool present();
-  bool closeRequested() { return mWindow && mWindow->closeRequested(); }
+  bool closeRequested() { return mDrawable && !mGone && mDrawable->closeRequested(); }
 
  private:
   void resize(Size size);
 
   const Config &mConfig;
-  std::unique_ptr<NativeWindow> mWindow;
-  Size mSize;
-  std::vector<uint32_t> mPixels;  // RGBA8, the top row first
-  bool mGone = false;
+  EGLint mKind;
+  EGLNativeWindowType mNative;
+  std::unique_ptr<NativeDrawable> mDrawable;
+  std::atomic<Size> mSize;        // read by any thread
+  std::vector<uint32_t> mPixels;  // RGBA8, the top row first; empty until they are needed
+  std::atomic<bool> mGone = false;
+  std::atomic<bool> mSwapped = false;
 };
 
 }  // namespace rc::egl

@@ -2,30 +2,54 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "egl/thread.h"
 
+#include <utility>
+
 namespace rc::egl {
+namespace {
+
+void detach(const Current &old) {
+  if (!old.context) return;
+  old.context->api.attach(nullptr);
+  old.context->fences.pass();  // nobody waits for a picture that is not asked for any more
+  old.context->current = false;
+  if (!old.draw) return;
+  old.draw->fences = nullptr;
+  old.draw->current = old.read->current = false;
+}
+
+void attach(const Current &now) {
+  if (!now.context) return;
+  now.context->current = true;
+  if (!now.draw) return;
+  now.draw->current = now.read->current = true;
+  now.draw->fences = &now.context->fences;
+  now.context->api.attach(now.draw.get());
+}
+
+// Handles that were destroyed while they were current end now.
+void release(const Current &old) {
+  if (!old.context) return;
+  old.display->contexts.release(*old.context);
+  if (!old.draw) return;
+  old.display->surfaces.release(*old.draw);
+  old.display->surfaces.release(*old.read);
+}
+
+}  // namespace
 
 ThreadState::~ThreadState() {
   const std::lock_guard lock(displayMutex());
-  makeCurrent(EGL_NO_DISPLAY, nullptr, nullptr);
+  makeCurrent({});
 }
 
-void ThreadState::makeCurrent(EGLDisplay newDisplay, std::shared_ptr<RenderContext> newContext,
-                              std::shared_ptr<Surface> newDraw) {
+void ThreadState::makeCurrent(Current next) {
+  if (next == current) return;
   api::setCurrentContext(nullptr);  // first: what follows may run out of memory
-  if (context) {
-    context->api.attach(nullptr);
-    context->current = false;
-    draw->current = false;
-  }
-  display = newDisplay;
-  context = std::move(newContext);
-  draw = std::move(newDraw);
-  if (context) {
-    context->current = true;
-    draw->current = true;
-    context->api.attach(draw.get());
-  }
-  api::setCurrentContext(context ? &context->api : nullptr);
+  const Current old = std::exchange(current, std::move(next));
+  detach(old);
+  attach(current);
+  release(old);
+  api::setCurrentContext(current.context ? &current.context->api : nullptr);
 }
 
 ThreadState &threadState() {

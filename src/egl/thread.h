@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// thread.h: what EGL keeps for each thread: the last error, the bound API, what is current. [EGL 1.4, 2.4]
+// thread.h: what EGL keeps for each thread: the last error, the bound API, what is current. [EGL 1.5, 2.4]
 #pragma once
 
 #include "egl/display.h"
 
 namespace rc::egl {
 
+// What eglMakeCurrent makes current: nothing, a context without surfaces, or one with both.
+struct Current {
+  Display *display = nullptr;
+  std::shared_ptr<RenderContext> context;
+  std::shared_ptr<Surface> draw, read;
+
+  bool operator==(const Current &) const = default;
+};
+
 struct ThreadState {
   EGLint error = EGL_SUCCESS;
   EGLenum api = EGL_OPENGL_ES_API;
-  EGLDisplay display = EGL_NO_DISPLAY;
-  std::shared_ptr<RenderContext> context;
-  std::shared_ptr<Surface> draw;
+  Current current;
 
   ~ThreadState();
-  // Makes a context and a surface current, or none; the old ones are let go.
-  void makeCurrent(EGLDisplay newDisplay, std::shared_ptr<RenderContext> newContext, std::shared_ptr<Surface> newDraw);
+  // What was current is let go.
+  void makeCurrent(Current next);
 };
 
 ThreadState &threadState();

@@ -7,75 +7,38 @@
 #include <sys/ipc.h>
 #include <sys/shm.h>
 
-#include <bit>
 #include <cstdlib>
-#include <mutex>
 
 namespace rc::egl {
-namespace {
-
-// The state of the one trap that lives: Xlib has a single error handler for the process.
-std::mutex sTrapMutex;
-::Display *sTrapped = nullptr;
-bool sFailed = false;
-XErrorHandler sOuter = nullptr;
-
-int noteError(::Display *display, XErrorEvent *event) {
-  if (display != sTrapped) return sOuter ? sOuter(display, event) : 0;
-  sFailed = true;
-  return 0;
-}
-
-// The table that puts an 8-bit channel where the visual's mask wants it.
-std::array<uint32_t, 256> channelTable(unsigned long mask) {
-  const auto bits = static_cast<uint32_t>(mask);
-  const int shift = std::countr_zero(bits), width = std::popcount(bits);
-  std::array<uint32_t, 256> table{};
-  for (uint32_t i = 0; i < 256; ++i) table[i] = bits ? (width <= 8 ? i >> (8 - width) : i << (width - 8)) << shift : 0;
-  return table;
-}
-
-}  // namespace
-
-ErrorTrap::ErrorTrap(::Display *display) : mDisplay(display) {
-  sTrapMutex.lock();
-  XSync(display, False);
-  sTrapped = display;
-  sFailed = false;
-  sOuter = XSetErrorHandler(noteError);
-}
-
-ErrorTrap::~ErrorTrap() {
-  XSync(mDisplay, False);
-  XSetErrorHandler(sOuter);
-  sTrapped = nullptr;
-  sTrapMutex.unlock();
-}
-
-bool ErrorTrap::failed() const {
-  XSync(mDisplay, False);
-  return sFailed;
-}
-
 struct X11Image::Shared {
   XShmSegmentInfo info{};
 };
 
-X11Image::X11Image(::Display *display, const XWindowAttributes &attributes)
-    : mDisplay(display), mVisual(attributes.visual), mDepth(attributes.depth) {
-  mChannel = {channelTable(mVisual->red_mask), channelTable(mVisual->green_mask), channelTable(mVisual->blue_mask)};
-  mSharedWorks = XShmQueryExtension(display) != 0;
+bool X11Image::serverShares(const X11Connection &connection) {
+  const ErrorTrap trap(connection);
+  return connection.alive() && XShmQueryExtension(connection.display());
 }
+
+X11Image::X11Image(const X11Connection &connection, ::Visual *visual, int depth)
+    : mConnection(connection),
+      mDisplay(connection.display()),
+      mVisual(visual),
+      mDepth(depth),
+      mSharedWorks(serverShares(connection)),
+      mFormat(visual->red_mask, visual->green_mask, visual->blue_mask, depth) {}
 
 X11Image::~X11Image() {
   release();
-  if (mGc) XFreeGC(mDisplay, mGc);
+  if (!mGc) return;
+  const ErrorTrap trap(mConnection);  // the server may be gone; our side of it is freed all the same
+  XFreeGC(mDisplay, mGc);
 }
 
 bool X11Image::put(::Drawable drawable, const hal::Target &picture) {
-  if (!resize(picture.width, picture.height)) return false;
-  convert(picture);
-  const ErrorTrap trap(mDisplay);
+  if (picture.width == 0 || picture.height == 0) return true;
+  if (!mConnection.alive() || !resize(picture.width, picture.height)) return false;
+  mFormat.store(picture, *mImage);
+  const ErrorTrap trap(mConnection);
   if (!mGc) mGc = XCreateGC(mDisplay, drawable, 0, nullptr);
   const auto width = unsigned(picture.width), height = unsigned(picture.height);
   if (mShared) {
@@ -110,7 +73,7 @@ bool X11Image::makeShared(int width, int height) {
   bool attached = false;
   if (memory != reinterpret_cast<void *>(-1)) {
     shared->info.shmaddr = mImage->data = static_cast<char *>(memory);
-    const ErrorTrap trap(mDisplay);
+    const ErrorTrap trap(mConnection);
     attached = XShmAttach(mDisplay, &shared->info) && !trap.failed();
   }
   // Marked for removal at once: it lives until both sides have let go, even if the program crashes.
@@ -129,32 +92,16 @@ bool X11Image::makeShared(int width, int height) {
 void X11Image::release() {
   if (!mImage) return;
   if (mShared) {
-    const ErrorTrap trap(mDisplay);
-    XShmDetach(mDisplay, &mShared->info);
-    XSync(mDisplay, False);
+    if (mConnection.alive()) {
+      const ErrorTrap trap(mConnection);
+      XShmDetach(mDisplay, &mShared->info);
+    }
     shmdt(mShared->info.shmaddr);
     mImage->data = nullptr;
     mShared = nullptr;
   }
   XDestroyImage(mImage);  // frees the pixels that are not shared
   mImage = nullptr;
-}
-
-void X11Image::convert(const hal::Target &picture) {
-  const bool wide = mImage->bits_per_pixel == 32;
-  for (int y = 0; y < picture.height; ++y) {
-    const uint32_t *source = picture.pixels + size_t(y) * size_t(picture.width);
-    char *row = mImage->data + size_t(y) * size_t(mImage->bytes_per_line);
-    for (int x = 0; x < picture.width; ++x) {
-      const uint32_t rgba = source[x];
-      const uint32_t pixel = mChannel[0][rgba & 255] | mChannel[1][rgba >> 8 & 255] | mChannel[2][rgba >> 16 & 255];
-      if (wide) {
-        reinterpret_cast<uint32_t *>(row)[x] = pixel;
-      } else {
-        XPutPixel(mImage, x, y, pixel);
-      }
-    }
-  }
 }
 
 }  // namespace rc::egl

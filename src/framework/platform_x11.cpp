@@ -14,6 +14,8 @@ struct WindowPlatform::Window {
   ::Window window = 0;
   Atom deleteWindow = None;
   bool ended = false;
+  bool filling = false;       // the screen, by our own doing
+  int width = 0, height = 0;  // before it did
 
   Atom atom(const char *name) const { return XInternAtom(display, name, False); }
 };
@@ -47,6 +49,12 @@ char keyOf(KeySym symbol) {
   return 0;
 }
 
+// Without modifiers, but a keypad's digits, which most keyboards have above its arrows.
+KeySym symbolOf(XKeyEvent &event) {
+  const KeySym above = XLookupKeysym(&event, 1);
+  return above >= XK_KP_0 && above <= XK_KP_9 ? above : XLookupKeysym(&event, 0);
+}
+
 DWORD buttonOf(unsigned button) {
   switch (button) {
     case Button1:
@@ -68,6 +76,26 @@ DWORD buttonsOf(unsigned state) {
   return buttons;
 }
 
+// Without a name of a server Xlib need not be asked.
+::Display *openDisplay() {
+  const char *name = getenv("DISPLAY");
+  return name && *name ? XOpenDisplay(nullptr) : nullptr;
+}
+
+// Window managers that take requests say so. [EWMH 1.5, _NET_SUPPORTING_WM_CHECK]
+bool isManaged(::Display *display, Atom check) {
+  Atom type = None;
+  int format = 0;
+  unsigned long count = 0, left = 0;
+  unsigned char *data = nullptr;
+  XGetWindowProperty(display, DefaultRootWindow(display), check, 0, 1, False, XA_WINDOW, &type, &format, &count, &left,
+                     &data);
+  if (data) XFree(data);
+  return count == 1;
+}
+
+float fraction(int position, int size) { return size > 0 ? float(position) / float(size) : 0.0f; }
+
 }  // namespace
 
 WindowPlatform::WindowPlatform() : m_pWindow(nullptr) {}
@@ -75,7 +103,7 @@ WindowPlatform::WindowPlatform() : m_pWindow(nullptr) {}
 WindowPlatform::~WindowPlatform() { WindowPlatform::Destroy(); }
 
 BOOL WindowPlatform::Create(const char *title, int &width, int &height) {
-  ::Display *display = XOpenDisplay(nullptr);
+  ::Display *display = openDisplay();
   if (!display) {
     fprintf(stderr,
             "RCFramework: no display, so the program runs off-screen; RAYCORE_CAPTURE=file.png writes its "
@@ -121,6 +149,14 @@ void WindowPlatform::SetTitle(const char *title) {
 
 void WindowPlatform::ToggleFullScreen() {
   if (!m_pWindow) return;
+  if (isManaged(m_pWindow->display, m_pWindow->atom("_NET_SUPPORTING_WM_CHECK"))) {
+    AskForFullScreen();
+  } else {
+    FillScreen();
+  }
+}
+
+void WindowPlatform::AskForFullScreen() {
   constexpr long kToggle = 2, kFromApplication = 1;
   XEvent event = {};
   event.xclient.type = ClientMessage;
@@ -132,40 +168,58 @@ void WindowPlatform::ToggleFullScreen() {
   event.xclient.data.l[3] = kFromApplication;
   XSendEvent(m_pWindow->display, DefaultRootWindow(m_pWindow->display), False,
              SubstructureRedirectMask | SubstructureNotifyMask, &event);
+  XFlush(m_pWindow->display);
+}
+
+// Where nobody manages windows, the window itself becomes as large as the screen, or as it was.
+void WindowPlatform::FillScreen() {
+  ::Display *display = m_pWindow->display;
+  const int screen = DefaultScreen(display);
+  m_pWindow->filling = !m_pWindow->filling;
+  if (m_pWindow->filling) {
+    m_pWindow->width = m_iWidth;
+    m_pWindow->height = m_iHeight;
+  }
+  const int width = m_pWindow->filling ? DisplayWidth(display, screen) : m_pWindow->width;
+  const int height = m_pWindow->filling ? DisplayHeight(display, screen) : m_pWindow->height;
+  XMoveResizeWindow(display, m_pWindow->window, 0, 0, unsigned(width), unsigned(height));
+  XFlush(display);
+}
+
+void WindowPlatform::HandleKeyEvent(unsigned long symbol, unsigned state, BOOL dispatch) {
+  if (symbol == XK_Escape) {
+    m_pWindow->ended = true;
+  } else if (symbol == XK_Return && state & Mod1Mask) {
+    ToggleFullScreen();
+  } else if (const char key = keyOf(symbol)) {
+    if (dispatch) KeyDownEvent(key);
+  }
+}
+
+void WindowPlatform::TellMouse(int x, int y, DWORD buttons) {
+  OnMouseEvent(fraction(x, m_iWidth), fraction(y, m_iHeight), buttons);
 }
 
 BOOL WindowPlatform::PumpMessage(BOOL dispatch) {
   if (!m_pWindow) return TRUE;
-  const auto fraction = [](int position, int size) { return size > 0 ? float(position) / float(size) : 0.0f; };
   while (!m_pWindow->ended && XPending(m_pWindow->display)) {
     XEvent event;
     XNextEvent(m_pWindow->display, &event);
     switch (event.type) {
-      case KeyPress: {
-        const KeySym symbol = XLookupKeysym(&event.xkey, 0);
-        if (symbol == XK_Escape) {
-          m_pWindow->ended = true;
-        } else if (symbol == XK_Return && event.xkey.state & Mod1Mask) {
-          ToggleFullScreen();
-        } else if (const char key = keyOf(symbol)) {
-          if (dispatch) KeyDownEvent(key);
-        }
+      case KeyPress:
+        HandleKeyEvent(symbolOf(event.xkey), event.xkey.state, dispatch);
         break;
-      }
+      // The state of an event is that of before it.
       case ButtonPress:
-      case ButtonRelease: {
-        const DWORD before = buttonsOf(event.xbutton.state), button = buttonOf(event.xbutton.button);
-        if (dispatch) {
-          OnMouseEvent(fraction(event.xbutton.x, m_iWidth), fraction(event.xbutton.y, m_iHeight),
-                       event.type == ButtonPress ? before | button : before & ~button);
-        }
+        if (dispatch)
+          TellMouse(event.xbutton.x, event.xbutton.y, buttonsOf(event.xbutton.state) | buttonOf(event.xbutton.button));
         break;
-      }
+      case ButtonRelease:
+        if (dispatch)
+          TellMouse(event.xbutton.x, event.xbutton.y, buttonsOf(event.xbutton.state) & ~buttonOf(event.xbutton.button));
+        break;
       case MotionNotify:
-        if (dispatch) {
-          OnMouseEvent(fraction(event.xmotion.x, m_iWidth), fraction(event.xmotion.y, m_iHeight),
-                       buttonsOf(event.xmotion.state));
-        }
+        if (dispatch) TellMouse(event.xmotion.x, event.xmotion.y, buttonsOf(event.xmotion.state));
         break;
       case ConfigureNotify:
         m_iWidth = event.xconfigure.width;

@@ -115,30 +115,46 @@ void RCFramework::InitializeState() {
 }
 
 BOOL RCFramework::DrawScene() {
-  if (!PumpMessage() || !OnDraw()) return FALSE;
+  if (!PumpMessage()) return FALSE;
+  const double before = seconds();
+  if (!OnDraw()) return FALSE;
+  m_dDrawing += seconds() - before;
   const RCenum error = rcGetError();
   if (error != RC_NO_ERROR) {
     fprintf(stderr, "RCFramework: error 0x%04X after OnDraw; RAYCORE_LOG=error shows the call\n", error);
     m_bFailed = true;
     return FALSE;
   }
-  rcFinish();
-  // The window may be closed while a frame is traced: then the events say so.
-  if (!eglSwapBuffers(m_eglDisplay, m_eglSurface) && PumpMessage()) return Fail("eglSwapBuffers failed");
+  if (!ShowFrame()) return FALSE;
   OnDrawComplete();
   if (!PumpMessage()) return FALSE;
   CountFrame();
   return OnPostDraw();
 }
 
+BOOL RCFramework::ShowFrame() {
+  const double before = seconds();
+  rcFinish();
+  const double traced = seconds();
+  // The window may be closed while a frame is traced: then the events say so.
+  if (!eglSwapBuffers(m_eglDisplay, m_eglSurface) && PumpMessage()) return Fail("eglSwapBuffers failed");
+  m_dTracing += traced - before;
+  m_dShowing += seconds() - traced;
+  return TRUE;
+}
+
 void RCFramework::CountFrame() {
   if (++m_iFrames < kFramesPerTitle) return;
   const double now = seconds();
+  const auto milliseconds = [&](double sum) { return sum * 1000 / m_iFrames; };
   char title[256];
-  snprintf(title, sizeof title, "%s : %.2f fps", m_sTitle, m_iFrames / std::max(now - m_dSince, 1e-9));
+  snprintf(title, sizeof title, "%s : %.2f fps (draw %.2f ms, trace %.2f ms, show %.2f ms)", m_sTitle,
+           m_iFrames / std::max(now - m_dSince, 1e-9), milliseconds(m_dDrawing), milliseconds(m_dTracing),
+           milliseconds(m_dShowing));
   SetTitle(title);
   m_iFrames = 0;
   m_dSince = now;
+  m_dDrawing = m_dTracing = m_dShowing = 0;
 }
 
 void RCFramework::Release() {

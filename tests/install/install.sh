@@ -39,6 +39,15 @@ expect "$scratch/with_pkg_config"
   -lstdc++ -lpthread -lm -lX11 -lRayCoreAPI
 expect "$scratch/by_hand"
 
+# the vendor library, where there is one: complete, and nowhere near libglvnd's own folders
+if [ -e "$libdir/libEGL_raycore.so.0" ]; then
+  json=$prefix/share/raycore/egl_vendor.d/50_raycore.json
+  grep -q "\"$libdir/libEGL_raycore.so.0\"" "$json"
+  [ -z "$(find "$prefix" -path '*glvnd*')" ]
+  "$cxx" -o "$scratch/beside" "$source/../vendor/raycore_program.cpp" -I"$prefix/include" -L"$libdir" -lEGL -lRayCoreAPI
+  RAYCORE_CAPTURE=$scratch/beside.ppm __EGL_VENDOR_LIBRARY_FILENAMES=$json "$scratch/beside" libEGL.so.1
+fi
+
 # the line of the guide's appendix D, which names the original's inner libraries
 mkdir "$scratch/appendix_d"
 cd "$scratch/appendix_d"

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <regex>
 
 #include "images/run_example.h"
 #include "window/x11_fixture.h"
@@ -43,7 +44,7 @@ class WindowTest : public testing::TestWithParam<Server> {
 
   // Starts an example and waits for its window.
   void start(const std::string &example, const std::string &title) {
-    mProgram.emplace(std::vector<std::string>{std::string(RAYCORE_EXAMPLES_DIR) + "/" + example},
+    mProgram.emplace(std::vector<std::string>{(std::filesystem::path(RAYCORE_EXAMPLES_DIR) / example).string()},
                      std::vector<std::string>{"DISPLAY=" + mServer->name(), "RAYCORE_CAPTURE=" + mCapture});
     ASSERT_TRUE(eventually([&] { return (mWindow = mServer->find(title)) != 0; })) << "no window \"" << title << "\"";
   }
@@ -73,7 +74,8 @@ TEST_P(WindowTest, ShowsThePictureAndTheFrameRate) {
   EXPECT_EQ(mServer->screenshot(mWindow).rgb, headless.picture.rgb) << "as without a window";
   EXPECT_TRUE(eventually([&] {
     const std::string title = mServer->titleOf(mWindow);
-    return title.find(" : ") != std::string::npos && title.rfind(" fps") == title.size() - 4;
+    return std::regex_match(title,
+                            std::regex(".* : [0-9.]+ fps \\(draw [0-9.]+ ms, trace [0-9.]+ ms, show [0-9.]+ ms\\)"));
   })) << mServer->titleOf(mWindow);
 }
 
@@ -121,6 +123,45 @@ TEST_P(WindowTest, KeysReachTheProgram) {
   mServer->pressKey(mWindow, XK_s);
   EXPECT_TRUE(eventually([&] { return !shadowed(); }));
   EXPECT_TRUE(mProgram->running());
+}
+
+TEST_P(WindowTest, AltEnterFillsTheScreenAndBack) {
+  start(kExample, kTitle);
+  if (HasFatalFailure()) return;
+  ASSERT_TRUE(showsItsPicture(800, 480));
+  mServer->pressKey(mWindow, XK_Return, Mod1Mask);
+  EXPECT_TRUE(showsItsPicture(1280, 960));
+  mServer->pressKey(mWindow, XK_Return, Mod1Mask);
+  EXPECT_TRUE(showsItsPicture(800, 480));
+  mServer->pressKey(mWindow, XK_Return);
+  EXPECT_TRUE(mProgram->running());
+}
+
+constexpr uint8_t kLeft = 1, kRight = 2;  // [reference 6.1]
+
+// The program shows in the colour of its picture what it was told.
+TEST_P(WindowTest, MouseAndKeysReachTheVirtualMethods) {
+  start(RAYCORE_INPUT_PROGRAM, "Input");
+  if (HasFatalFailure()) return;
+  const auto shows = [&](Pixel wanted) {
+    return eventually([&] {
+      const Picture shown = mServer->screenshot(mWindow);
+      return !shown.empty() && shown.at(0, 0) == wanted;
+    });
+  };
+  EXPECT_TRUE(shows({0, 0, 0}));
+  mServer->moveMouse(mWindow, 100, 25);  // of 200 x 100
+  EXPECT_TRUE(shows({128, 64, 0}));
+  mServer->pressButton(mWindow, Button1, 50, 50, 0);
+  EXPECT_TRUE(shows({64, 128, kLeft * 16}));
+  mServer->pressButton(mWindow, Button3, 50, 50, Button1Mask);
+  EXPECT_TRUE(shows({64, 128, (kLeft | kRight) * 16}));
+  mServer->releaseButton(mWindow, Button1, 100, 50, Button1Mask | Button3Mask);
+  EXPECT_TRUE(shows({128, 128, kRight * 16}));
+  mServer->pressKey(mWindow, XK_z);
+  EXPECT_TRUE(shows({'Z', 0, 255}));
+  mServer->pressKey(mWindow, XK_KP_7);
+  EXPECT_TRUE(shows({'7', 0, 255}));
 }
 
 TEST_P(WindowTest, AWindowOfTheLibrarysOwn) {

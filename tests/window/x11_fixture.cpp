@@ -127,16 +127,49 @@ void XServer::resize(Window window, unsigned width, unsigned height) const {
   XSync(mConnection, False);
 }
 
-void XServer::pressKey(Window window, KeySym key) const {
+void XServer::send(Window window, long mask, XEvent &event) const {
+  event.xany.display = mConnection;
+  event.xany.window = window;
+  XSendEvent(mConnection, window, True, mask, &event);
+  XSync(mConnection, False);
+}
+
+void XServer::pressKey(Window window, KeySym key, unsigned state) const {
   XEvent event = {};
   event.xkey.type = KeyPress;
-  event.xkey.display = mConnection;
-  event.xkey.window = window;
   event.xkey.root = DefaultRootWindow(mConnection);
   event.xkey.keycode = XKeysymToKeycode(mConnection, key);
+  event.xkey.state = state;
   event.xkey.same_screen = True;
-  XSendEvent(mConnection, window, True, KeyPressMask, &event);
-  XSync(mConnection, False);
+  send(window, KeyPressMask, event);
+}
+
+void XServer::pressButton(Window window, unsigned button, int x, int y, unsigned state) const {
+  XEvent event = {};
+  event.xbutton.type = ButtonPress;
+  event.xbutton.button = button;
+  event.xbutton.x = x;
+  event.xbutton.y = y;
+  event.xbutton.state = state;
+  send(window, ButtonPressMask, event);
+}
+
+void XServer::releaseButton(Window window, unsigned button, int x, int y, unsigned state) const {
+  XEvent event = {};
+  event.xbutton.type = ButtonRelease;
+  event.xbutton.button = button;
+  event.xbutton.x = x;
+  event.xbutton.y = y;
+  event.xbutton.state = state;
+  send(window, ButtonReleaseMask, event);
+}
+
+void XServer::moveMouse(Window window, int x, int y) const {
+  XEvent event = {};
+  event.xmotion.type = MotionNotify;
+  event.xmotion.x = x;
+  event.xmotion.y = y;
+  send(window, PointerMotionMask, event);
 }
 
 void XServer::pressCloseButton(Window window) const {

@@ -55,11 +55,17 @@ class XServer {
   // What the window shows.
   Picture screenshot(Window window) const;
   void resize(Window window, unsigned width, unsigned height) const;
-  void pressKey(Window window, KeySym key) const;
+  // state: modifiers and buttons that are down already, as X has them.
+  void pressKey(Window window, KeySym key, unsigned state = 0) const;
+  void pressButton(Window window, unsigned button, int x, int y, unsigned state) const;
+  void releaseButton(Window window, unsigned button, int x, int y, unsigned state) const;
+  void moveMouse(Window window, int x, int y) const;
   // What a window manager does when its close button is pressed.
   void pressCloseButton(Window window) const;
 
  private:
+  void send(Window window, long mask, XEvent &event) const;
+
   std::optional<Process> mServer;
   std::string mName;
   Display *mConnection = nullptr;

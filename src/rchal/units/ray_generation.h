@@ -12,11 +12,11 @@
 namespace rc::hal {
 
 // Place of a sample in its pixel, 0 <= x, y < 1. One sample lies at the corner. Several form a rank-1 lattice
-// along the golden ratio: even in both axes and the same in each frame.
+// along the golden ratio, about the middle: even in both axes and the same in each frame.
 inline Vec2 samplePosition(int sample, int samples) {
   if (samples == 1) return {0, 0};
-  const float golden = 0.61803399f * static_cast<float>(sample);
-  return {(static_cast<float>(sample) + 0.5f) / static_cast<float>(samples), golden - std::floor(golden)};
+  const float place = static_cast<float>(sample) + 0.5f, golden = 0.61803399f * place;
+  return {place / static_cast<float>(samples), golden - std::floor(golden)};
 }
 
 // column from the left, row from the bottom of the viewport.
