@@ -105,6 +105,10 @@ class RCFramework : protected WindowPlatform {
   virtual int SkipFrame();
   /* Generations of secondary rays, limited to 14. */
   void SetDepthBounce(unsigned bounces);
+  /* Second generation; stored, without effect on the picture yet. Limited to 8191, 32 and 10. [reference 4.12] */
+  void SetLightRadius(float radius);
+  void SetSPPCount(unsigned count);
+  void SetDiffuseRate(unsigned rate);
   /* RAYCORE_TEST=1: programs of the guide end by themselves after three frames. */
   BOOL IsTestMode() const;
 

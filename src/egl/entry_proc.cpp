@@ -6,6 +6,7 @@
 
 #include "RC/rcu.h"
 #include "egl/entry.h"
+#include "egl/vendor_calls.h"
 
 using namespace rc;
 using namespace rc::egl;

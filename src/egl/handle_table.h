@@ -47,6 +47,7 @@ class HandleTable {
     if (object.destroyed && !object.current) mObjects.erase(object.handle);
   }
   void clear() { mObjects.clear(); }
+  size_t size() const { return mObjects.size(); }
   // Whether one that is not destroyed satisfies a condition.
   template <class Condition>
   bool any(Condition &&condition) const {

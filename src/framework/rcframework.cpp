@@ -179,6 +179,12 @@ void RCFramework::SetDepthBounce(unsigned bounces) {
   rcDepthBounce(static_cast<RCuint>(m_iBounces));
 }
 
+void RCFramework::SetLightRadius(float radius) { rcSetLightRadius(std::clamp(radius, 0.0f, 8191.0f)); }
+
+void RCFramework::SetSPPCount(unsigned count) { rcSetSPPCount(std::clamp(count, 1u, 32u)); }
+
+void RCFramework::SetDiffuseRate(unsigned rate) { rcSetDiffuseRate(std::min(rate, 10u)); }
+
 void RCFramework::StepThreshold(int step) {
   m_iThreshold = std::clamp(m_iThreshold + step, -1, kLastThreshold);
   rcHint(RC_RAYBOUNCE_THRESHOLD_HINT,
