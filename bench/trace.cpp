@@ -111,7 +111,7 @@ void measureScene(const Soup &soup, const Arguments &arguments, std::vector<Resu
     if (!first) continue;
     first = false;
     std::vector<FirstHit> hits(primary.size());
-    tracers[0]->trace(kPrimary, primary, 0, primary.size(), hits.data());
+    megaraysPerSecond(*tracers[0], kPrimary, primary, 1, hits.data());
     for (const Kind kind : {kShadow, kMirror, kDiffuse}) {
       measure(soup, size, kind, secondaryRays(soup, kind, primary, hits), tracers, arguments, results);
     }

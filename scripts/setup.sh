@@ -9,7 +9,7 @@ set -eu
 
 packages=(
   g++ cmake ninja-build pkg-config ccache
-  libtbb-dev libglm-dev libpng-dev libx11-dev libxext-dev libegl-dev
+  libtbb-dev libhwy-dev libglm-dev libpng-dev libx11-dev libxext-dev libegl-dev
   libgtest-dev xvfb
 )
 

@@ -4,7 +4,7 @@
 // raycore.cpp: ourselves as one of those who are measured, below the API: the kernels of the cpu device.
 #include "peers/tracer.h"
 #include "rcddk/accel/builder.h"
-#include "rchal/units/traversal.h"
+#include "rcddi/cpu/trace.h"
 
 namespace rc::bench {
 namespace {
@@ -29,18 +29,23 @@ class RaycoreTracer final : public Tracer {
   std::string name() const override { return mName; }
 
   void trace(Kind kind, const RayBatch &rays, size_t begin, size_t end, FirstHit *hits) const override {
-    for (size_t i = begin; i < end; ++i) {
-      const hal::Ray ray{rays.origin(i), rays.direction(i)};
-      if (kind == kShadow) {
-        hits[i].primitive = hal::blockedByOpaque(mView, ray, rays.tMax(i)) ? 0 : kMiss;
-      } else {
-        const hal::Hit hit = hal::closestHit(mView, ray);
-        hits[i] = {hit.t, hit.primitive};
-      }
+    const ddi::cpu::RayStream stream{{rays.column(0) + begin, rays.column(1) + begin, rays.column(2) + begin},
+                                     {rays.column(3) + begin, rays.column(4) + begin, rays.column(5) + begin},
+                                     end - begin};
+    hal::Hit found[kMost];
+    uint8_t blocked[kMost];
+    if (kind == kShadow) {
+      ddi::cpu::findBlocked(mView, stream, rays.column(6) + begin, blocked);
+      for (size_t i = begin; i < end; ++i) hits[i].primitive = blocked[i - begin] ? 0 : kMiss;
+    } else {
+      ddi::cpu::closestHits(mView, stream, found);
+      for (size_t i = begin; i < end; ++i) hits[i] = {found[i - begin].t, found[i - begin].primitive};
     }
   }
 
  private:
+  static constexpr size_t kMost = 1024;  // rays of a call
+
   std::string mName;
   std::vector<hal::HotTriangle> mTriangles;
   ddk::Accel mAccel;

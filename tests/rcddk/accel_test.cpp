@@ -73,6 +73,7 @@ TEST(Accel, TheTreeDoesNotDependOnTheThreads) {
       const ddk::Accel many = ddk::buildAccel(kind, triangles, Workers(threads));
       EXPECT_TRUE(sameBytes(one.kdNodes, many.kdNodes));
       EXPECT_TRUE(sameBytes(one.bvhNodes, many.bvhNodes));
+      EXPECT_TRUE(sameBytes(one.blocks, many.blocks));
       EXPECT_EQ(one.primitives, many.primitives);
     }
   }
@@ -97,7 +98,7 @@ TEST(Accel, FarGeometryLeavesTheTreeATree) {
   far.push_back(triangle({3e18f, 0, 0}, {3e18f, 3e18f, 0}, {0, 3e18f, 3e18f}));
   for (AccelKind kind : {AccelKind::KdTree, AccelKind::Bvh}) {
     const ddk::Accel accel = ddk::buildAccel(kind, far, Workers(1));
-    EXPECT_GT(accel.kdNodes.size() + accel.bvhNodes.size(), far.size() / 8);
+    EXPECT_GT(accel.kdNodes.size() + 8 * accel.bvhNodes.size(), far.size() / 8);
   }
 }
 
@@ -113,13 +114,18 @@ TEST(Accel, BvhLeavesHoldEachTriangleOnceInsideTheirBoxes) {
   const Triangles triangles = soup(3000, 5);
   const ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(2));
   std::vector<int> seen(triangles.size());
-  for (const BvhNode32 &node : accel.bvhNodes) {
-    if (!node.isLeaf()) continue;
-    for (uint32_t i = 0; i < node.count; ++i) {
-      const uint32_t primitive = accel.primitives.at(node.index + i);
-      ++seen.at(primitive);
-      for (const Vec3 &v : {triangles[primitive].v0, triangles[primitive].v1, triangles[primitive].v2}) {
-        EXPECT_TRUE(glm::all(glm::lessThanEqual(node.lower, v)) && glm::all(glm::lessThanEqual(v, node.upper)));
+  for (const BvhNode8 &node : accel.bvhNodes) {
+    for (uint32_t i = 0; i < BvhNode8::kWidth; ++i) {
+      const Vec3 lower{node.planes[0][0][i], node.planes[1][0][i], node.planes[2][0][i]};
+      const Vec3 upper{node.planes[0][1][i], node.planes[1][1][i], node.planes[2][1][i]};
+      if (!(node.child[i] & BvhNode8::kLeaf)) continue;
+      const TriangleBlock4 &block = accel.blocks.at(node.child[i] & ~BvhNode8::kLeaf);
+      for (uint32_t k = 0; k < block.count(); ++k) {
+        const HotTriangle &triangle = triangles.at(block.primitive[k]);
+        ++seen.at(block.primitive[k]);
+        for (const Vec3 &v : {triangle.v0, triangle.v1, triangle.v2}) {
+          EXPECT_TRUE(glm::all(glm::lessThanEqual(lower, v)) && glm::all(glm::lessThanEqual(v, upper)));
+        }
       }
     }
   }

@@ -16,13 +16,14 @@ struct Accel {
   AccelKind kind = AccelKind::Exhaustive;
   Bounds bounds;
   std::vector<hal::KdNode8> kdNodes;
-  std::vector<hal::BvhNode32> bvhNodes;
   std::vector<uint32_t> primitives;
+  std::vector<hal::BvhNode8> bvhNodes;
+  std::vector<hal::TriangleBlock4> blocks;
 
-  hal::AccelView view() const { return {kind, bounds, kdNodes, bvhNodes, primitives}; }
+  hal::AccelView view() const { return {kind, bounds, kdNodes, primitives, bvhNodes, blocks}; }
   size_t bytes() const {
-    return kdNodes.size() * sizeof(hal::KdNode8) + bvhNodes.size() * sizeof(hal::BvhNode32) +
-           primitives.size() * sizeof(uint32_t);
+    return kdNodes.size() * sizeof(hal::KdNode8) + primitives.size() * sizeof(uint32_t) +
+           bvhNodes.size() * sizeof(hal::BvhNode8) + blocks.size() * sizeof(hal::TriangleBlock4);
   }
 };
 

@@ -10,11 +10,21 @@
 namespace rc::ddk {
 namespace {
 
-using hal::BvhNode32;
+using hal::BvhNode8;
 using hal::HotTriangle;
+using hal::TriangleBlock4;
+
+// Node of the binary tree that is built first. The left child follows its parent.
+struct BinaryNode {
+  Bounds box;
+  uint32_t index;  // inner: right child; leaf: first reference
+  uint32_t count;  // inner: 0; leaf: number of references
+
+  bool isLeaf() const { return count > 0; }
+};
 
 constexpr int kBins = 16;
-constexpr size_t kLeafSize = 4;     // at most, where the heuristic has a choice
+constexpr size_t kLeafSize = TriangleBlock4::kWidth;
 constexpr float kNodeCost = 1.2f;   // of a step through an inner node, in triangle tests
 constexpr int kBalancedDepth = 30;  // from here on halves, so that the depth stays below kMaxTreeDepth
 
@@ -45,7 +55,7 @@ struct Binning {
 
 class BvhBuilder {
  public:
-  BvhBuilder(std::span<Reference> references, std::span<BvhNode32> slots) : mReferences(references), mSlots(slots) {}
+  BvhBuilder(std::span<Reference> references, std::span<BinaryNode> slots) : mReferences(references), mSlots(slots) {}
 
   // Builds the subtree of references [begin, end) into the slots from `slot` on; it needs at most
   // 2 (end - begin) - 1 of them. So siblings know their places without asking each other.
@@ -57,11 +67,11 @@ class BvhBuilder {
     }
     const size_t middle = partition(begin, end, box, centres, depth);
     if (middle == begin) {
-      mSlots[slot] = {box.lower, static_cast<uint32_t>(begin), box.upper, static_cast<uint32_t>(end - begin)};
+      mSlots[slot] = {box, static_cast<uint32_t>(begin), static_cast<uint32_t>(end - begin)};
       return;
     }
     const size_t right = slot + 2 * (middle - begin);
-    mSlots[slot] = {box.lower, static_cast<uint32_t>(right), box.upper, 0};
+    mSlots[slot] = {box, static_cast<uint32_t>(right), 0};
     const auto buildLeft = [&] { build(begin, middle, slot + 1, depth + 1); };
     const auto buildRight = [&] { build(middle, end, right, depth + 1); };
     if (end - begin >= kParallelReferences) {
@@ -76,11 +86,9 @@ class BvhBuilder {
   // Where the right half begins, after sorting the references into halves; `begin` for a leaf.
   size_t partition(size_t begin, size_t end, const Bounds &box, const Bounds &centres, int depth) {
     const size_t count = end - begin;
-    if (count == 1) return begin;
+    if (count <= kLeafSize) return begin;
     const Binning binning(centres);
     const Split split = depth < kBalancedDepth ? bestSplit(begin, end, box, binning) : Split{};
-    const auto leafCost = static_cast<float>(count);
-    if (count <= kLeafSize && !(split.cost < leafCost)) return begin;
     if (split.axis < 0) return begin + count / 2;  // all centres in one place, or too deep
     const auto first = mReferences.begin();
     const auto middle = std::partition(first + std::ptrdiff_t(begin), first + std::ptrdiff_t(end),
@@ -122,31 +130,84 @@ class BvhBuilder {
   }
 
   std::span<Reference> mReferences;
-  std::span<BvhNode32> mSlots;
+  std::span<BinaryNode> mSlots;
 };
 
-// Copies the used slots into depth-first order without gaps.
-uint32_t compact(std::span<const BvhNode32> slots, size_t slot, std::vector<BvhNode32> &nodes) {
-  const auto place = static_cast<uint32_t>(nodes.size());
-  nodes.push_back(slots[slot]);
-  if (!slots[slot].isLeaf()) {
-    compact(slots, slot + 1, nodes);
-    nodes[place].index = compact(slots, slots[slot].index, nodes);
+// Gathers the binary tree into nodes of eight: the inner child with the largest box is replaced by its own
+// children until the node is full (Wald, Benthin, Boulos: "Getting Rid of Packets", RT 2008).
+class Collapser {
+ public:
+  Collapser(std::span<const BinaryNode> slots, std::span<const Reference> references,
+            std::span<const HotTriangle> triangles, Accel &accel)
+      : mSlots(slots), mReferences(references), mTriangles(triangles), mAccel(accel) {}
+
+  // The root is a node, even if all it has is a leaf.
+  void collapseRoot() { collapseInner(0); }
+
+ private:
+  // Returns what a parent names the node by, as in BvhNode8::child.
+  uint32_t collapse(uint32_t slot) { return mSlots[slot].isLeaf() ? addBlock(mSlots[slot]) : collapseInner(slot); }
+
+  uint32_t collapseInner(uint32_t slot) {
+    uint32_t children[BvhNode8::kWidth] = {slot};
+    uint32_t count = 1;
+    while (count < BvhNode8::kWidth) {
+      uint32_t *widest = nullptr;
+      for (uint32_t &child : std::span(children, count)) {
+        if (mSlots[child].isLeaf()) continue;
+        if (!widest || mSlots[child].box.halfArea() > mSlots[*widest].box.halfArea()) widest = &child;
+      }
+      if (!widest) break;
+      children[count++] = mSlots[*widest].index;
+      *widest = *widest + 1;
+    }
+    const auto place = static_cast<uint32_t>(mAccel.bvhNodes.size());
+    mAccel.bvhNodes.emplace_back();
+    for (uint32_t i = 0; i < BvhNode8::kWidth; ++i) {
+      const uint32_t child = i < count ? collapse(children[i]) : 0;
+      setChild(mAccel.bvhNodes[place], i, i < count ? mSlots[children[i]].box : Bounds(), child);
+    }
+    return place;
   }
-  return place;
-}
+
+  static void setChild(BvhNode8 &node, uint32_t i, const Bounds &box, uint32_t child) {
+    for (int axis = 0; axis < 3; ++axis) {
+      node.planes[axis][0][i] = box.lower[axis];
+      node.planes[axis][1][i] = box.upper[axis];
+    }
+    node.child[i] = child;
+  }
+
+  uint32_t addBlock(const BinaryNode &leaf) {
+    const auto place = static_cast<uint32_t>(mAccel.blocks.size());
+    TriangleBlock4 &block = mAccel.blocks.emplace_back();
+    for (uint32_t lane = 0; lane < TriangleBlock4::kWidth; ++lane) {
+      const uint32_t primitive = mReferences[leaf.index + (lane < leaf.count ? lane : 0)].primitive;
+      const HotTriangle &triangle = mTriangles[primitive];
+      const Vec3 *vertices[] = {&triangle.v0, &triangle.v1, &triangle.v2};
+      for (int v = 0; v < 3; ++v) {
+        for (int axis = 0; axis < 3; ++axis) block.vertices[v][axis][lane] = (*vertices[v])[axis];
+      }
+      block.primitive[lane] = lane < leaf.count ? primitive : TriangleBlock4::kNone;
+    }
+    return place | BvhNode8::kLeaf;
+  }
+
+  std::span<const BinaryNode> mSlots;
+  std::span<const Reference> mReferences;
+  std::span<const HotTriangle> mTriangles;
+  Accel &mAccel;
+};
 
 }  // namespace
 
 void buildBvh(std::span<const HotTriangle> triangles, Accel &accel) {
   std::vector<Reference> references = makeReferences(triangles, accel.bounds);
-  std::vector<BvhNode32> slots(2 * references.size() - 1);
+  std::vector<BinaryNode> slots(2 * references.size());
   BvhBuilder(references, slots).build(0, references.size(), 0, 0);
-  accel.bvhNodes.reserve(slots.size());
-  compact(slots, 0, accel.bvhNodes);
+  Collapser(slots, references, triangles, accel).collapseRoot();
   accel.bvhNodes.shrink_to_fit();
-  accel.primitives.reserve(references.size());
-  for (const Reference &reference : references) accel.primitives.push_back(reference.primitive);
+  accel.blocks.shrink_to_fit();
 }
 
 }  // namespace rc::ddk
