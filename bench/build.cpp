@@ -19,6 +19,8 @@ void measureScene(Soup &soup, int threads, const Arguments &arguments, std::vect
 #ifdef RAYCORE_EMBREE
   addEmbreeBuilders(soup, threads, builders);
 #endif
+  std::erase_if(builders,
+                [&](const auto &builder) { return builder->name().find(arguments.who) == std::string::npos; });
   std::vector<std::vector<double>> times(builders.size());
   for (int round = 0; round <= arguments.rounds; ++round) {
     for (rc::Vec3 &v : soup.vertices) v.y += round % 2 ? -1e-4f : 1e-4f;

@@ -68,6 +68,7 @@ size_t mismatches(Kind kind, const std::vector<FirstHit> &found, const std::vect
 
 void measure(const Soup &soup, const std::string &size, Kind kind, const RayBatch &rays, const Tracers &tracers,
              const Arguments &arguments, std::vector<Result> &results) {
+  if (std::string(kKindNames[kind]).find(arguments.kind) == std::string::npos) return;
   std::vector<FirstHit> truth(rays.size()), hits(rays.size());
   std::vector<size_t> wrong(tracers.size());
   for (size_t i = 0; i < tracers.size(); ++i) {
@@ -103,6 +104,7 @@ void measureScene(const Soup &soup, const Arguments &arguments, std::vector<Resu
 #ifdef RAYCORE_EMBREE
   addEmbree(soup, 2, tracers);
 #endif
+  std::erase_if(tracers, [&](const auto &tracer) { return tracer->name().find(arguments.who) == std::string::npos; });
   bool first = true;
   for (const auto &[width, height] : arguments.sizes) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);

@@ -3,8 +3,8 @@
 //
 // raycore.cpp: ourselves as one of those who are measured, below the API: the kernels of the cpu device.
 #include "peers/tracer.h"
-#include "rcddk/accel/builder.h"
 #include "rcddi/cpu/trace.h"
+#include "rcddk/accel/builder.h"
 
 namespace rc::bench {
 namespace {
@@ -80,8 +80,8 @@ class RaycoreBuilder final : public Builder {
 }  // namespace
 
 void addRaycore(const Soup &soup, int threads, Tracers &tracers) {
-  tracers.push_back(std::make_unique<RaycoreTracer>(soup, AccelKind::KdTree, "raycore kdtree", threads));
   tracers.push_back(std::make_unique<RaycoreTracer>(soup, AccelKind::Bvh, "raycore bvh", threads));
+  tracers.push_back(std::make_unique<RaycoreTracer>(soup, AccelKind::KdTree, "raycore kdtree", threads));
 }
 
 void addRaycoreBuilders(const Soup &soup, int threads, Builders &builders) {

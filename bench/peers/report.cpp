@@ -12,7 +12,8 @@ namespace {
 
 [[noreturn]] void usage(const char *program) {
   std::fprintf(stderr,
-               "usage: %s [--scenes DIR] [--json FILE] [--only NAME[,NAME]] [--size WxH[,WxH]] [--threads N[,N]] "
+               "usage: %s [--scenes DIR] [--json FILE] [--only NAME[,NAME]] [--who PART] [--kind PART] [--size "
+               "WxH[,WxH]] [--threads N[,N]] "
                "[--rounds N]\n",
                program);
   std::exit(2);
@@ -53,6 +54,10 @@ Arguments readArguments(int argc, char **argv) {
       arguments.scenes = value;
     } else if (option == "--json") {
       arguments.json = value;
+    } else if (option == "--who") {
+      arguments.who = value;
+    } else if (option == "--kind") {
+      arguments.kind = value;
     } else if (option == "--only") {
       arguments.names = split(value);
     } else if (option == "--size") {

@@ -15,8 +15,8 @@ class Tracer {
   virtual ~Tracer() = default;
 
   virtual std::string name() const = 0;
-  // Rays [begin, end), at most 1024, multiples of 16, on the calling thread. Shadow rays: primitive is 0 where something is
-  // in the way and kMiss where not.
+  // Rays [begin, end), at most 1024, multiples of 16, on the calling thread. Shadow rays: primitive is 0 where
+  // something is in the way and kMiss where not.
   virtual void trace(Kind kind, const RayBatch &rays, size_t begin, size_t end, FirstHit *hits) const = 0;
 };
 

@@ -24,6 +24,7 @@ constexpr size_t kClasses = 6;  // largest component, twice, plus 1 if negative
 struct alignas(64) Batch {
   size_t rays, packets;
   int kx, ky, kz;
+  bool inPlace;                           // the batch is a whole group
   bool common;                            // all rays have one origin
   const float *origin[3], *direction[3];  // in world axes
   alignas(64) float sx[kBatchRays], sy[kBatchRays], sz[kBatchRays];
@@ -38,10 +39,11 @@ struct alignas(64) Batch {
   }
 };
 
-// The class of each ray, with the same comparisons as ShearedRay.
-HWY_INLINE void classify(const RayStream &rays, size_t first, size_t count, int32_t *classes) {
+// The class of each ray, with the same comparisons as ShearedRay. Returns whether all are the same.
+HWY_INLINE bool classify(const RayStream &rays, size_t first, size_t count, int32_t *classes) {
   const D16 d;
   const hn::RebindToSigned<D16> di;
+  auto same = hn::Eq(hn::Zero(di), hn::Zero(di));
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     const auto x = hn::LoadU(d, rays.direction[0] + first + i), y = hn::LoadU(d, rays.direction[1] + first + i);
     const auto z = hn::LoadU(d, rays.direction[2] + first + i);
@@ -54,7 +56,9 @@ HWY_INLINE void classify(const RayStream &rays, size_t first, size_t count, int3
     const auto negative =
         hn::IfThenElse(hn::RebindMask(di, hn::Lt(largest, hn::Zero(d))), hn::Set(di, 1), hn::Zero(di));
     hn::StoreU(hn::Or(axis, negative), di, classes + i);
+    same = hn::And(same, hn::Eq(hn::Or(axis, negative), hn::Set(di, classes[0])));
   }
+  return hn::AllTrue(di, same);
 }
 
 // Whether a column has one value.

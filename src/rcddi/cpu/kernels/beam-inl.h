@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-// upper: where |z| grows along the slope that leads farthest up; lower: farthest down.
+// Bounds of c and s over all rays. upper: where |z| grows along the slope that leads farthest up; lower: farthest down.
 enum Bound {
   kXUpper,
   kXUpperSlope,
@@ -33,11 +33,17 @@ enum Bound {
   kBounds
 };
 
+// The same of a packet as seen from where the rays meet: a window of slopes, relative to the middle of the beam's, that
+// is wider by kXShift / |z| at depth z, since the rays do not quite meet.
+enum WindowBound { kXMiddle, kXHalf, kXShift, kYMiddle, kYHalf, kYShift, kFirst, kLast, kWindowBounds };
+
 struct alignas(64) Beam {
-  float packets[kBounds][kPackets];  // what a lane without a packet has, no box meets
+  float windows[kWindowBounds][kPackets];  // what a lane without a packet has, nothing meets
+  float window[kWindowBounds];             // of all packets
   float all[kBounds];
-  float zSign, zOffset;  // depth = zSign * world + zOffset grows along the rays
-  size_t first, last;    // packets
+  float zSign, zOffset;                // depth = zSign * world + zOffset grows along the rays
+  float xMeet, yMeet, xSlope, ySlope;  // where the rays meet at depth 0; the middle of their slopes
+  size_t first, last;                  // packets
 };
 
 // A box by planes; z is depth.
@@ -89,12 +95,12 @@ HWY_INLINE float farthest(const Batch &batch, const Beam &beam, size_t packet) {
 HWY_INLINE void shorten(const Batch &batch, uint32_t changed, Beam &beam) {
   while (changed) {
     const size_t packet = nextBit(changed);
-    beam.packets[kFar][packet] = farthest(batch, beam, packet);
+    beam.windows[kLast][packet] = farthest(batch, beam, packet);
   }
   const D16 d;
   auto most = hn::Set(d, -kInfinity);
-  for (size_t p = 0; p < kPackets; p += hn::Lanes(d)) most = hn::Max(most, hn::Load(d, beam.packets[kFar] + p));
-  beam.all[kFar] = hn::GetLane(hn::MaxOfLanes(d, most));
+  for (size_t p = 0; p < kPackets; p += hn::Lanes(d)) most = hn::Max(most, hn::Load(d, beam.windows[kLast] + p));
+  beam.all[kFar] = beam.window[kLast] = hn::GetLane(hn::MaxOfLanes(d, most));
 }
 
 // Smallest and largest value.
@@ -161,8 +167,11 @@ HWY_INLINE float magnitude(const Batch &batch, size_t first, size_t last) {
   return hn::GetLane(hn::MaxOfLanes(d, most));
 }
 
-// The hull of one packet. before: the rays lie at negative depths.
-HWY_INLINE void enclose(const Batch &batch, size_t packet, bool before, float margin, Beam &beam) {
+// The hull of one packet: intervals of slopes, of offsets at depth 0, and of depths.
+struct Hull {
+  float xSlope[2]{}, ySlope[2]{}, x[2]{}, y[2]{}, near = 0, far = 0;
+};
+HWY_INLINE Hull enclose(const Batch &batch, const Beam &beam, size_t packet, bool endless) {
   const D16 d;
   using V = hn::Vec<D16>;
   const V none = hn::Set(d, kInfinity), sign = hn::Set(d, beam.zSign);
@@ -177,56 +186,92 @@ HWY_INLINE void enclose(const Batch &batch, size_t packet, bool before, float ma
     cx.add(hn::NegMulAdd(slopeX, z, hn::LoadU(d, batch.origin[batch.kx] + i)));
     cy.add(hn::NegMulAdd(slopeY, z, hn::LoadU(d, batch.origin[batch.ky] + i)));
   }
+  Hull hull;
+  hull.xSlope[0] = hn::GetLane(hn::MinOfLanes(d, sx.least));
+  hull.xSlope[1] = hn::GetLane(hn::MaxOfLanes(d, sx.most));
+  hull.ySlope[0] = hn::GetLane(hn::MinOfLanes(d, sy.least));
+  hull.ySlope[1] = hn::GetLane(hn::MaxOfLanes(d, sy.most));
+  hull.far = endless ? kInfinity : farthest(batch, beam, packet);
   if (batch.common) {
     const size_t i = packet * kPacketRays;
-    start.add(hn::Zero(d));
-    cx.add(hn::Set(d, batch.origin[batch.kx][i]));
-    cy.add(hn::Set(d, batch.origin[batch.ky][i]));
+    hull.x[0] = hull.x[1] = batch.origin[batch.kx][i];
+    hull.y[0] = hull.y[1] = batch.origin[batch.ky][i];
+    hull.near = 0;
+    return hull;
   }
-  constexpr float kSlopeMargin = 0x1p-20f;
-  float(&out)[kBounds][kPackets] = beam.packets;
-  out[kXUpperSlope][packet] = hn::GetLane(hn::MaxOfLanes(d, sx.most)) + kSlopeMargin;
-  out[kXLowerSlope][packet] = hn::GetLane(hn::MinOfLanes(d, sx.least)) - kSlopeMargin;
-  out[kYUpperSlope][packet] = hn::GetLane(hn::MaxOfLanes(d, sy.most)) + kSlopeMargin;
-  out[kYLowerSlope][packet] = hn::GetLane(hn::MinOfLanes(d, sy.least)) - kSlopeMargin;
-  out[kXUpper][packet] = hn::GetLane(hn::MaxOfLanes(d, cx.most)) + margin;
-  out[kXLower][packet] = hn::GetLane(hn::MinOfLanes(d, cx.least)) - margin;
-  out[kYUpper][packet] = hn::GetLane(hn::MaxOfLanes(d, cy.most)) + margin;
-  out[kYLower][packet] = hn::GetLane(hn::MinOfLanes(d, cy.least)) - margin;
-  out[kNear][packet] = hn::GetLane(hn::MinOfLanes(d, start.least)) - margin;
-  out[kFar][packet] = farthest(batch, beam, packet) + margin;
-  if (!before) return;
-  // Beyond depth 0, where rounding or a light at hand may lead, slopes count the other way round.
-  const float beyond = std::max(out[kFar][packet], 0.0f);
-  const float x = beyond * (out[kXUpperSlope][packet] - out[kXLowerSlope][packet]);
-  const float y = beyond * (out[kYUpperSlope][packet] - out[kYLowerSlope][packet]);
-  out[kXUpper][packet] += x, out[kXLower][packet] -= x;
-  out[kYUpper][packet] += y, out[kYLower][packet] -= y;
-  std::swap(out[kXUpperSlope][packet], out[kXLowerSlope][packet]);
-  std::swap(out[kYUpperSlope][packet], out[kYLowerSlope][packet]);
+  hull.x[0] = hn::GetLane(hn::MinOfLanes(d, cx.least));
+  hull.x[1] = hn::GetLane(hn::MaxOfLanes(d, cx.most));
+  hull.y[0] = hn::GetLane(hn::MinOfLanes(d, cy.least));
+  hull.y[1] = hn::GetLane(hn::MaxOfLanes(d, cy.most));
+  hull.near = hn::GetLane(hn::MinOfLanes(d, start.least));
+  return hull;
 }
 
-// The hull of packets [first, last). extent: of the scene.
-HWY_INLINE void makeBeam(const Batch &batch, size_t first, size_t last, float extent, Beam &beam) {
+HWY_INLINE void unite(Hull &all, const Hull &hull) {
+  all.near = std::min(all.near, hull.near);
+  all.far = std::max(all.far, hull.far);
+  for (float(Hull::*bounds)[2] : {&Hull::xSlope, &Hull::ySlope, &Hull::x, &Hull::y}) {
+    (all.*bounds)[0] = std::min((all.*bounds)[0], (hull.*bounds)[0]);
+    (all.*bounds)[1] = std::max((all.*bounds)[1], (hull.*bounds)[1]);
+  }
+}
+
+constexpr float kSlopeMargin = 0x1p-20f;
+
+// before: the rays lie at negative depths, where slopes count the other way round.
+inline void setBounds(const Hull &hull, bool before, float margin, Beam &beam) {
+  const float x = hull.xSlope[1] - hull.xSlope[0], y = hull.ySlope[1] - hull.ySlope[0];
+  // Rounding, or a light at hand, may lead rays beyond depth 0.
+  const float beyond = before ? std::max(hull.far, 0.0f) : 0;
+  beam.all[kXUpper] = hull.x[1] + margin + beyond * x;
+  beam.all[kXLower] = hull.x[0] - margin - beyond * x;
+  beam.all[kYUpper] = hull.y[1] + margin + beyond * y;
+  beam.all[kYLower] = hull.y[0] - margin - beyond * y;
+  beam.all[before ? kXLowerSlope : kXUpperSlope] = hull.xSlope[1] + kSlopeMargin;
+  beam.all[before ? kXUpperSlope : kXLowerSlope] = hull.xSlope[0] - kSlopeMargin;
+  beam.all[before ? kYLowerSlope : kYUpperSlope] = hull.ySlope[1] + kSlopeMargin;
+  beam.all[before ? kYUpperSlope : kYLowerSlope] = hull.ySlope[0] - kSlopeMargin;
+  beam.all[kNear] = hull.near - margin;
+  beam.all[kFar] = hull.far + margin;
+}
+
+HWY_INLINE void setWindow(const Hull &hull, const Beam &beam, float margin, float *window, size_t stride) {
+  window[kXMiddle * stride] = (hull.xSlope[0] + hull.xSlope[1]) * 0.5f - beam.xSlope;
+  window[kXHalf * stride] = (hull.xSlope[1] - hull.xSlope[0]) * 0.5f + kSlopeMargin;
+  window[kXShift * stride] = std::max(hull.x[1] - beam.xMeet, beam.xMeet - hull.x[0]) + margin;
+  window[kYMiddle * stride] = (hull.ySlope[0] + hull.ySlope[1]) * 0.5f - beam.ySlope;
+  window[kYHalf * stride] = (hull.ySlope[1] - hull.ySlope[0]) * 0.5f + kSlopeMargin;
+  window[kYShift * stride] = std::max(hull.y[1] - beam.yMeet, beam.yMeet - hull.y[0]) + margin;
+  window[kFirst * stride] = hull.near - margin;
+  window[kLast * stride] = hull.far + margin;
+}
+
+// The hull of packets [first, last). extent: of the scene. endless: no ray has an end yet.
+HWY_INLINE void makeBeam(const Batch &batch, size_t first, size_t last, float extent, bool endless, Beam &beam) {
   beam.first = first;
   beam.last = last;
   beam.zSign = batch.direction[batch.kz][first * kPacketRays] < 0 ? -1.0f : 1.0f;
   const bool before = placeOrigin(batch, extent, beam);
   const float margin = 0x1p-20f * std::max(std::abs(beam.zOffset), magnitude(batch, first, last));
-  const D16 d;
-  for (size_t p = 0; p < kPackets; p += hn::Lanes(d)) {
-    hn::Store(hn::Set(d, kInfinity), d, beam.packets[kNear] + p);
-    hn::Store(hn::Set(d, -kInfinity), d, beam.packets[kFar] + p);
+  Hull hulls[kPackets], all;
+  for (size_t p = first; p < last; ++p) {
+    hulls[p] = enclose(batch, beam, p, endless);
+    if (p == first) all = hulls[p];
+    unite(all, hulls[p]);
   }
-  for (size_t p = first; p < last; ++p) enclose(batch, p, before, margin, beam);
-  for (size_t k = 0; k < kBounds; ++k) {
-    const bool upper = k == kXUpper || k == kYUpper || k == kFar ||
-                       (before ? k == kXLowerSlope || k == kYLowerSlope : k == kXUpperSlope || k == kYUpperSlope);
-    float value = beam.packets[k][first];
-    for (size_t p = first + 1; p < last; ++p) {
-      value = upper ? std::max(value, beam.packets[k][p]) : std::min(value, beam.packets[k][p]);
+  setBounds(all, before, margin, beam);
+  beam.xMeet = (all.x[0] + all.x[1]) * 0.5f;
+  beam.yMeet = (all.y[0] + all.y[1]) * 0.5f;
+  beam.xSlope = (all.xSlope[0] + all.xSlope[1]) * 0.5f;
+  beam.ySlope = (all.ySlope[0] + all.ySlope[1]) * 0.5f;
+  setWindow(all, beam, margin, beam.window, 1);
+  for (size_t p = 0; p < kPackets; ++p) {
+    if (p >= first && p < last) {
+      setWindow(hulls[p], beam, margin, &beam.windows[0][p], kPackets);
+    } else {
+      for (auto &bound : beam.windows) bound[p] = 0;
+      beam.windows[kLast][p] = -kInfinity;
     }
-    beam.all[k] = value;
   }
 }
 

@@ -15,9 +15,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-// How wide a beam may get, as a share of the scene. Measured with bench/trace.
-constexpr float kWidestTile = 0.25f;
-constexpr float kWidestPacket = 0.15f;
+// How many triangles a beam may meet on a surface that fills the scene evenly; more, and it is cut up. Together they
+// cost less than their rays alone. Measured with bench/trace.
+constexpr float kMostInTile = 200;
+constexpr float kMostInPacket = 40;
+
+// How wide a beam may get for that, as a share of the scene.
+inline float widest(float mostTriangles, size_t triangles) {
+  return std::min(0.25f, std::sqrt(mostTriangles / static_cast<float>(triangles)));
+}
 
 template <bool kAny>
 HWY_INLINE void walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) {
@@ -30,15 +36,10 @@ HWY_INLINE void walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) 
 
 template <bool kAny>
 HWY_INLINE void walkOneByOne(const Geometry &geometry, Batch &batch, size_t packet) {
+  SlabRays slabs;
+  setUp(batch, packet, slabs);
   const size_t end = std::min((packet + 1) * kPacketRays, batch.rays);
-  for (size_t i = packet * kPacketRays; i < end; ++i) {
-    hal::Hit best{batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]};
-    const bool blocked = walkAlone<kAny>(geometry, batch.ray(i), best);
-    batch.t[i] = blocked ? -kInfinity : best.t;
-    batch.u[i] = best.u;
-    batch.v[i] = best.v;
-    batch.primitive[i] = best.primitive;
-  }
+  for (size_t i = packet * kPacketRays; i < end; ++i) walkAlone<kAny>(geometry, batch, slabs, i);
 }
 
 // The scalar unit, for rays from beyond what the kernels' margins cover.
@@ -51,14 +52,10 @@ HWY_NOINLINE void traceWithUnit(const Geometry &geometry, Batch &batch) {
       if (hal::blockedByOpaque(scene, batch.ray(i), batch.t[i])) batch.t[i] = -kInfinity;
       continue;
     }
-    hal::Hit hit = hal::closestHit(scene, batch.ray(i)), best{batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]};
+    hal::Hit hit = hal::closestHit(scene, batch.ray(i));
     if (!hit.found()) continue;
     hit.primitive += geometry.base;
-    keepBetter(hit, best);
-    batch.t[i] = best.t;
-    batch.u[i] = best.u;
-    batch.v[i] = best.v;
-    batch.primitive[i] = best.primitive;
+    if (improves(batch, i, hit)) record<false>(batch, i, hit);
   }
 }
 
@@ -82,14 +79,17 @@ HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
   const float extent = maxComponent(glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper)));
   if (!isTame(batch, extent)) return traceWithUnit<kAny>(geometry, batch);
   const float size = glm::length(bounds.size());
+  const bool endless = !kAny && geometry.base == 0;  // rays end where they hit another geometry
+  const size_t triangles = geometry.view.triangles.size();
   Beam beam;
   if (batch.packets > 1) {
-    makeBeam(batch, 0, batch.packets, size, beam);
-    if (spread(batch, beam, bounds, size) < kWidestTile) return walkPackets<kAny>(geometry, batch, beam);
+    makeBeam(batch, 0, batch.packets, size, endless, beam);
+    if (spread(batch, beam, bounds, size) < widest(kMostInTile, triangles))
+      return walkPackets<kAny>(geometry, batch, beam);
   }
   for (size_t packet = 0; packet < batch.packets; ++packet) {
-    makeBeam(batch, packet, packet + 1, size, beam);
-    if (spread(batch, beam, bounds, size) < kWidestPacket) {
+    makeBeam(batch, packet, packet + 1, size, endless, beam);
+    if (spread(batch, beam, bounds, size) < widest(kMostInPacket, triangles)) {
       walkPackets<kAny>(geometry, batch, beam);
     } else {
       walkOneByOne<kAny>(geometry, batch, packet);
@@ -97,16 +97,24 @@ HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
   }
 }
 
+// Hits in the order of the stream.
+HWY_INLINE void deliverInPlace(const Batch &batch, hal::Hit *hits) {
+  const D16 d;
+  const hn::RebindToUnsigned<D16> du;
+  for (size_t i = 0; i < batch.rays; i += hn::Lanes(d)) {
+    hn::StoreInterleaved4(hn::Load(d, batch.t + i), hn::Load(d, batch.u + i), hn::Load(d, batch.v + i),
+                          hn::BitCast(d, hn::Load(du, batch.primitive + i)), d, &hits[i].t);
+  }
+}
+
 template <bool kAny>
 HWY_INLINE void deliver(const Batch &batch, size_t first, hal::Hit *hits, uint8_t *blocked) {
-  for (size_t i = 0; i < batch.rays; ++i) {
-    const size_t out = first + batch.index[i];
-    if constexpr (kAny) {
-      blocked[out] = batch.t[i] == -kInfinity;
-    } else {
-      hits[out] = batch.primitive[i] == hal::kNoPrimitive
-                      ? hal::Hit{}
-                      : hal::Hit{batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]};
+  if constexpr (kAny) {
+    for (size_t i = 0; i < batch.rays; ++i) blocked[first + batch.index[i]] = batch.t[i] == -kInfinity;
+  } else {
+    if (batch.inPlace) return deliverInPlace(batch, hits + first);
+    for (size_t i = 0; i < batch.rays; ++i) {
+      hits[first + batch.index[i]] = {batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]};
     }
   }
 }
@@ -148,10 +156,8 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
                            const float *tMax, hal::Hit *hits, uint8_t *blocked) {
   alignas(64) int32_t classes[kBatchRays];
   Batch batch;
-  if (count % kPacketRays == 0) classify(rays, first, count, classes);
-  bool uniform = count % kPacketRays == 0;
-  for (size_t i = 1; i < count && uniform; ++i) uniform = classes[i] == classes[0];
-  if (uniform) {
+  batch.inPlace = count % kPacketRays == 0 && classify(rays, first, count, classes);
+  if (batch.inPlace) {
     for (int axis = 0; axis < 3; ++axis) {
       batch.origin[axis] = rays.origin[axis] + first;
       batch.direction[axis] = rays.direction[axis] + first;

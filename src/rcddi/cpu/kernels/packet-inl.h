@@ -42,6 +42,14 @@ HWY_INLINE bool improves(const Batch &batch, size_t i, const hal::Hit &hit) {
          hal::HitOrder{hit.t, hit.primitive} < hal::HitOrder{batch.t[i], batch.primitive[i]};
 }
 
+template <bool kAny>
+HWY_INLINE void record(Batch &batch, size_t i, const hal::Hit &hit) {
+  batch.t[i] = kAny ? -kInfinity : hit.t;
+  batch.u[i] = hit.u;
+  batch.v[i] = hit.v;
+  batch.primitive[i] = hit.primitive;
+}
+
 // Rays that meet an edge as exactly as float can tell: the scalar unit decides.
 template <bool kAny>
 HWY_NOINLINE bool intersectOnEdge(Batch &batch, const hal::HotTriangle &triangle, uint32_t primitive, size_t first,
@@ -53,10 +61,7 @@ HWY_NOINLINE bool intersectOnEdge(Batch &batch, const hal::HotTriangle &triangle
     if (!hal::intersectTriangle(hal::ShearedRay(batch.ray(i)), triangle, hit)) continue;
     hit.primitive = primitive;
     if (kAny ? !(hit.t > 0 && hit.t < batch.t[i]) : !improves(batch, i, hit)) continue;
-    batch.t[i] = kAny ? -kInfinity : hit.t;
-    batch.u[i] = hit.u;
-    batch.v[i] = hit.v;
-    batch.primitive[i] = primitive;
+    record<kAny>(batch, i, hit);
     changed = true;
   }
   return changed;

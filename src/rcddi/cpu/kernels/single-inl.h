@@ -10,65 +10,105 @@
 #define RAYCORE_KERNELS_SINGLE_INL
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "rcddi/cpu/kernels/beam_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-// What of a ray the boxes are tested with. Distance to a plane at b: b * inverse - start, in one fused operation; the
-// rounding of `start` is covered by shifting near planes closer and far planes away.
-struct SingleRay {
-  const hal::Ray &ray;
-  hal::ShearedRay sheared;
-  float inverse[3], nearStart[3], farStart[3];
-  int front[3];  // which of a box's planes the ray meets first
+// What of the rays of a packet boxes are tested with. Distance to a plane at b: b * inverse - start, in one fused
+// operation; the rounding of `start` is covered by shifting near planes closer and far planes away, and that of the
+// rest by kSlack, as in the scalar unit.
+struct alignas(64) SlabRays {
+  float nearInverse[3][kPacketRays], nearStart[3][kPacketRays];
+  float farInverse[3][kPacketRays], farStart[3][kPacketRays];
+};
+constexpr float kFarther = 1 + 2 * hal::kSlack;
 
-  explicit SingleRay(const hal::Ray &from) : ray(from), sheared(from) {
+HWY_INLINE void setUp(const Batch &batch, size_t packet, SlabRays &out) {
+  const D16 d;
+  for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
+    const size_t from = packet * kPacketRays + i;
+    // So small a component moves the ray by less than boxes are widened.
+    const auto small = hn::Mul(hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + from)), hn::Set(d, 1e-8f));
     for (int axis = 0; axis < 3; ++axis) {
-      const float d = from.direction[axis];
-      // So small a component moves the ray by less than boxes are widened.
-      const float small = 1e-8f * std::abs(from.direction[sheared.kz]);
-      inverse[axis] = 1.0f / (std::abs(d) < small ? std::copysign(small, d) : d);
-      const float start = from.origin[axis] * inverse[axis], error = std::abs(start) * 0x1p-21f;
-      nearStart[axis] = start + error;
-      farStart[axis] = start - error;
-      front[axis] = std::signbit(inverse[axis]);
+      const auto direction = hn::LoadU(d, batch.direction[axis] + from);
+      const auto enough = hn::Ge(hn::Abs(direction), small);
+      const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(enough, direction, hn::CopySign(small, direction)));
+      const auto start = hn::Mul(hn::LoadU(d, batch.origin[axis] + from), inverse);
+      const auto error = hn::Mul(hn::Abs(start), hn::Set(d, 0x1p-21f)), farther = hn::Set(d, kFarther);
+      hn::Store(inverse, d, out.nearInverse[axis] + i);
+      hn::Store(hn::Mul(inverse, farther), d, out.farInverse[axis] + i);
+      hn::Store(hn::Add(start, error), d, out.nearStart[axis] + i);
+      hn::Store(hn::Mul(hn::Sub(start, error), farther), d, out.farStart[axis] + i);
+    }
+  }
+}
+
+// One of them, in all lanes.
+struct SlabRay {
+  using V = hn::Vec<D8>;
+  V nearInverse[3], nearStart[3], farInverse[3], farStart[3];
+  size_t near[3], far[3];  // where in BvhNode8::planes the planes lie that the ray meets first and last
+
+  HWY_INLINE SlabRay(const SlabRays &rays, size_t i) {
+    const D8 d;
+    for (size_t axis = 0; axis < 3; ++axis) {
+      nearInverse[axis] = hn::Set(d, rays.nearInverse[axis][i]);
+      nearStart[axis] = hn::Set(d, rays.nearStart[axis][i]);
+      farInverse[axis] = hn::Set(d, rays.farInverse[axis][i]);
+      farStart[axis] = hn::Set(d, rays.farStart[axis][i]);
+      near[axis] = (2 * axis + std::signbit(rays.nearInverse[axis][i])) * hal::BvhNode8::kWidth;
+      far[axis] = (2 * axis + !std::signbit(rays.nearInverse[axis][i])) * hal::BvhNode8::kWidth;
     }
   }
 };
 
-HWY_INLINE size_t pushChildren(const hal::BvhNode8 &node, const SingleRay &ray, float tMax, StackEntry *stack,
-                               size_t depth) {
+// The children whose boxes the ray meets before tMax, and where.
+HWY_INLINE uint32_t meets(const hal::BvhNode8 &node, const SlabRay &ray, float tMax, float *distance) {
   const D8 d;
-  const size_t first = depth;
+  const float *planes = node.planes[0][0];
+  uint32_t bits = 0;
   for (size_t i = 0; i < hal::BvhNode8::kWidth; i += hn::Lanes(d)) {
-    auto near = hn::Zero(d), far = hn::Set(d, kInfinity);
+    auto near = hn::Zero(d), far = hn::Set(d, tMax * kFarther);
     for (int axis = 0; axis < 3; ++axis) {
-      const auto inverse = hn::Set(d, ray.inverse[axis]);
-      const float(&planes)[2][8] = node.planes[axis];
-      near =
-          hn::Max(near, hn::MulSub(hn::Load(d, planes[ray.front[axis]] + i), inverse, hn::Set(d, ray.nearStart[axis])));
-      far =
-          hn::Min(far, hn::MulSub(hn::Load(d, planes[!ray.front[axis]] + i), inverse, hn::Set(d, ray.farStart[axis])));
+      near = hn::Max(near,
+                     hn::MulSub(hn::Load(d, planes + ray.near[axis] + i), ray.nearInverse[axis], ray.nearStart[axis]));
+      far = hn::Min(far, hn::MulSub(hn::Load(d, planes + ray.far[axis] + i), ray.farInverse[axis], ray.farStart[axis]));
     }
-    const auto end = hn::Mul(hn::Min(far, hn::Set(d, tMax)), hn::Set(d, 1 + 2 * hal::kSlack));
-    uint32_t bits = bitsOf(d, hn::Le(near, end));
-    if (!bits) continue;
-    alignas(32) float distance[hal::BvhNode8::kWidth];
-    hn::Store(near, d, distance);
-    while (bits) {
-      const uint32_t lane = nextBit(bits);
-      size_t place = depth++;
-      for (; place > first && stack[place - 1].near < distance[lane]; --place) stack[place] = stack[place - 1];
-      stack[place] = {node.child[i + lane], distance[lane]};
-    }
+    bits |= bitsOf(d, hn::Le(near, far)) << i;
+    hn::Store(near, d, distance + i);
   }
-  return depth;
+  return bits;
 }
 
-// Calls the scalar unit's order of hits in one lane.
-HWY_INLINE void keepBetter(const hal::Hit &hit, hal::Hit &best) {
-  if (hit.t > 0 && hal::HitOrder{hit.t, hit.primitive} < hal::HitOrder{best.t, best.primitive}) best = hit;
+HWY_INLINE void prefetch(const hal::AccelView &accel, uint32_t child) {
+  const char *place = child & hal::BvhNode8::kLeaf
+                          ? reinterpret_cast<const char *>(&accel.blocks[child & ~hal::BvhNode8::kLeaf])
+                          : reinterpret_cast<const char *>(&accel.bvhNodes[child]);
+  for (int line = 0; line < 3; ++line) hwy::Prefetch(place + 64 * line);
+}
+
+// Returns the nearest of the children whose bits are set, and puts the others onto the stack, nearer ones later.
+HWY_INLINE uint32_t descend(const hal::AccelView &accel, const hal::BvhNode8 &node, uint32_t bits,
+                            const float *distance, StackEntry *stack, size_t &depth) {
+  uint32_t lane = nextBit(bits);
+  if (HWY_LIKELY(!bits)) return node.child[lane];
+  StackEntry nearest{node.child[lane], distance[lane]};
+  const size_t first = depth;
+  do {
+    lane = nextBit(bits);
+    StackEntry other{node.child[lane], distance[lane]};
+    const bool swap = other.near < nearest.near;
+    const StackEntry farther = swap ? nearest : other;
+    nearest = swap ? other : nearest;
+    prefetch(accel, farther.child);
+    size_t place = depth++;
+    for (; place > first && stack[place - 1].near < farther.near; --place) stack[place] = stack[place - 1];
+    stack[place] = farther;
+  } while (bits);
+  return nearest.child;
 }
 
 // What the test of a block finds; see packet-inl.h. Returns the lanes with a hit that may count.
@@ -76,7 +116,7 @@ struct BlockHits {
   alignas(16) float t[4], u[4], v[4];
   uint32_t onEdge;  // lanes that the scalar unit decides
 };
-HWY_INLINE uint32_t testBlock(const hal::TriangleBlock4 &block, const hal::ShearedRay &s, float tMax, BlockHits &out) {
+HWY_INLINE uint32_t testBlock(const hal::TriangleBlock4 &block, const Batch &batch, size_t ray, BlockHits &out) {
   const D4 d;
   using V = hn::Vec<D4>;
   const V zero = hn::Zero(d);
@@ -85,10 +125,12 @@ HWY_INLINE uint32_t testBlock(const hal::TriangleBlock4 &block, const hal::Shear
   for (size_t i = 0; i < hal::TriangleBlock4::kWidth; i += hn::Lanes(d)) {
     Corner<V> corners[3];
     for (int v = 0; v < 3; ++v) {
-      const V z = hn::Sub(hn::Load(d, block.vertices[v][s.kz] + i), hn::Set(d, s.origin[s.kz]));
-      const V x = hn::Sub(hn::Load(d, block.vertices[v][s.kx] + i), hn::Set(d, s.origin[s.kx]));
-      const V y = hn::Sub(hn::Load(d, block.vertices[v][s.ky] + i), hn::Set(d, s.origin[s.ky]));
-      corners[v] = {hn::Sub(x, hn::Mul(hn::Set(d, s.sx), z)), hn::Sub(y, hn::Mul(hn::Set(d, s.sy), z)), z};
+      const float(&vertex)[3][4] = block.vertices[v];
+      const V x = hn::Sub(hn::Load(d, vertex[batch.kx] + i), hn::Set(d, batch.origin[batch.kx][ray]));
+      const V y = hn::Sub(hn::Load(d, vertex[batch.ky] + i), hn::Set(d, batch.origin[batch.ky][ray]));
+      const V z = hn::Sub(hn::Load(d, vertex[batch.kz] + i), hn::Set(d, batch.origin[batch.kz][ray]));
+      corners[v] = {hn::Sub(x, hn::Mul(hn::Set(d, batch.sx[ray]), z)),
+                    hn::Sub(y, hn::Mul(hn::Set(d, batch.sy[ray]), z)), z};
     }
     const auto &[a, b, c] = corners;
     const V wa = hn::Sub(hn::Mul(c.x, b.y), hn::Mul(c.y, b.x));
@@ -100,8 +142,8 @@ HWY_INLINE uint32_t testBlock(const hal::TriangleBlock4 &block, const hal::Shear
     const auto onEdge = hn::And(inside, hn::Or(hn::Eq(least, zero), hn::Eq(most, zero)));
     const V scale = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(wa, wb), wc));
     const V height = hn::Add(hn::Add(hn::Mul(wa, a.z), hn::Mul(wb, b.z)), hn::Mul(wc, c.z));
-    const V t = hn::Mul(hn::Mul(height, hn::Set(d, s.sz)), scale);
-    const auto near = hn::And(hn::Gt(t, zero), hn::Le(t, hn::Set(d, tMax)));
+    const V t = hn::Mul(hn::Mul(height, hn::Set(d, batch.sz[ray])), scale);
+    const auto near = hn::And(hn::Gt(t, zero), hn::Le(t, hn::Set(d, batch.t[ray])));
     found |= bitsOf(d, hn::Or(onEdge, hn::And(inside, near))) << i;
     out.onEdge |= bitsOf(d, onEdge) << i;
     hn::Store(t, d, out.t + i);
@@ -111,12 +153,11 @@ HWY_INLINE uint32_t testBlock(const hal::TriangleBlock4 &block, const hal::Shear
   return found;
 }
 
-// The triangles of a block. kAny: whether one that is opaque lies before best.t.
+// The triangles of a block. Returns whether the ray is blocked.
 template <bool kAny>
-HWY_INLINE bool intersectBlock(const Geometry &geometry, const hal::TriangleBlock4 &block, const SingleRay &ray,
-                               hal::Hit &best) {
+HWY_INLINE bool intersectBlock(const Geometry &geometry, const hal::TriangleBlock4 &block, Batch &batch, size_t ray) {
   BlockHits hits;
-  uint32_t found = testBlock(block, ray.sheared, best.t, hits);
+  uint32_t found = testBlock(block, batch, ray, hits);
   while (HWY_UNLIKELY(found)) {
     const uint32_t lane = nextBit(found);
     const uint32_t primitive = block.primitive[lane];
@@ -124,31 +165,41 @@ HWY_INLINE bool intersectBlock(const Geometry &geometry, const hal::TriangleBloc
     const hal::HotTriangle &triangle = geometry.view.triangles[primitive];
     if (kAny && geometry.view.filtersShadow && triangle.flags & hal::kFiltersShadow) continue;
     hal::Hit hit{hits.t[lane], hits.u[lane], hits.v[lane], 0};
-    if ((hits.onEdge >> lane & 1) && !hal::intersectTriangle(ray.sheared, triangle, hit)) continue;
+    const bool onEdge = hits.onEdge >> lane & 1;
+    if (onEdge && !hal::intersectTriangle(hal::ShearedRay(batch.ray(ray)), triangle, hit)) continue;
     hit.primitive = geometry.base + primitive;
-    if (kAny && hit.t > 0 && hit.t < best.t) return true;
-    if (!kAny) keepBetter(hit, best);
+    if (kAny ? !(hit.t > 0 && hit.t < batch.t[ray]) : !improves(batch, ray, hit)) continue;
+    record<kAny>(batch, ray, hit);
+    if (kAny) return true;
   }
   return false;
 }
 
-// kAny: returns whether the ray is blocked before best.t; else best becomes the nearest hit, and false is returned.
 template <bool kAny>
-HWY_NOINLINE bool walkAlone(const Geometry &geometry, const hal::Ray &from, hal::Hit &best) {
+HWY_NOINLINE void walkAlone(const Geometry &geometry, Batch &batch, const SlabRays &slabs, size_t i) {
   const hal::AccelView &accel = geometry.view.accel;
-  const SingleRay ray(from);
+  const SlabRay slab(slabs, i % kPacketRays);
   StackEntry stack[hal::kMaxBvhStack];
-  stack[0] = {0, 0};
-  for (size_t depth = 1; depth > 0;) {
-    const StackEntry at = stack[--depth];
-    if (at.near > best.t * (1 + 2 * hal::kSlack)) continue;
-    if (at.child & hal::BvhNode8::kLeaf) {
-      if (intersectBlock<kAny>(geometry, accel.blocks[at.child & ~hal::BvhNode8::kLeaf], ray, best)) return true;
-    } else {
-      depth = pushChildren(accel.bvhNodes[at.child], ray, best.t, stack, depth);
+  size_t depth = 0;
+  uint32_t child = 0;
+  for (;;) {
+    alignas(32) float distance[hal::BvhNode8::kWidth];
+    uint32_t bits = 1;
+    while (!(child & hal::BvhNode8::kLeaf)) {
+      const hal::BvhNode8 &node = accel.bvhNodes[child];
+      bits = meets(node, slab, batch.t[i], distance);
+      if (!bits) break;
+      child = descend(accel, node, bits, distance, stack, depth);
     }
+    if (bits) {
+      const hal::TriangleBlock4 &block = accel.blocks[child & ~hal::BvhNode8::kLeaf];
+      if (intersectBlock<kAny>(geometry, block, batch, i)) return;
+    }
+    do {
+      if (depth == 0) return;
+      child = stack[--depth].child;
+    } while (stack[depth].near > batch.t[i] * kFarther);
   }
-  return false;
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
