@@ -17,11 +17,12 @@ struct Quality {
   const char *name;
   RTCBuildQuality scene, geometry;
   RTCSceneFlags flags;
+  const char *task;
 };
-constexpr Quality kHigh{"high", RTC_BUILD_QUALITY_HIGH, RTC_BUILD_QUALITY_HIGH, RTC_SCENE_FLAG_NONE};
-constexpr Quality kMedium{"medium", RTC_BUILD_QUALITY_MEDIUM, RTC_BUILD_QUALITY_MEDIUM, RTC_SCENE_FLAG_NONE};
-constexpr Quality kLow{"low", RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_LOW, RTC_SCENE_FLAG_DYNAMIC};
-constexpr Quality kRefit{"refit", RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_REFIT, RTC_SCENE_FLAG_DYNAMIC};
+constexpr Quality kHigh{"high", RTC_BUILD_QUALITY_HIGH, RTC_BUILD_QUALITY_HIGH, RTC_SCENE_FLAG_NONE, "build"};
+constexpr Quality kMedium{"medium", RTC_BUILD_QUALITY_MEDIUM, RTC_BUILD_QUALITY_MEDIUM, RTC_SCENE_FLAG_NONE, "build"};
+constexpr Quality kLow{"low", RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_LOW, RTC_SCENE_FLAG_DYNAMIC, "rebuild"};
+constexpr Quality kRefit{"refit", RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_REFIT, RTC_SCENE_FLAG_DYNAMIC, "refit"};
 
 // A scene of one mesh, with its buffers.
 class Mesh {
@@ -141,14 +142,15 @@ class Packets final : public Tracer {
 class EmbreeBuilder final : public Builder {
  public:
   EmbreeBuilder(const Soup &soup, const Quality &quality, int threads)
-      : mMesh(soup, quality, threads), mQuality(quality.name) {}
+      : mMesh(soup, quality, threads), mQuality(quality.name), mTask(quality.task) {}
 
   std::string name() const override { return std::string("embree ") + mQuality; }
+  std::vector<std::string> tasks() const override { return {mTask}; }
   void build() override { mMesh.commit(); }
 
  private:
   Mesh mMesh;
-  const char *mQuality;
+  const char *mQuality, *mTask;
 };
 
 }  // namespace

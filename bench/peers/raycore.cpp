@@ -52,29 +52,52 @@ class RaycoreTracer final : public Tracer {
   hal::SceneView mView;
 };
 
-class RaycoreBuilder final : public Builder {
+class RaycoreBuilder : public Builder {
  public:
-  RaycoreBuilder(const Soup &soup, AccelKind kind, const char *name, int threads)
-      : mSoup(soup), mTriangles(trianglesOf(soup)), mKind(kind), mName(name), mWorkers(threads) {}
+  RaycoreBuilder(const Soup &soup, AccelKind kind, const char *name, std::vector<std::string> tasks, int threads)
+      : mSoup(soup),
+        mTriangles(trianglesOf(soup)),
+        mKind(kind),
+        mName(name),
+        mTasks(std::move(tasks)),
+        mWorkers(threads) {}
 
   std::string name() const override { return mName; }
+  std::vector<std::string> tasks() const override { return mTasks; }
   void build() override {
-    // The vertices are read where they moved: that is part of the work of a frame here.
+    readVertices();
+    mAccel = ddk::buildAccel(mKind, mTriangles, mWorkers);
+  }
+
+ protected:
+  // The vertices are read where they moved: that is part of the work of a frame here.
+  void readVertices() {
     for (size_t i = 0; i < mTriangles.size(); ++i) {
       mTriangles[i].v0 = mSoup.vertices[3 * i];
       mTriangles[i].v1 = mSoup.vertices[3 * i + 1];
       mTriangles[i].v2 = mSoup.vertices[3 * i + 2];
     }
-    mAccel = ddk::buildAccel(mKind, mTriangles, mWorkers);
   }
 
- private:
   const Soup &mSoup;
   std::vector<hal::HotTriangle> mTriangles;
   AccelKind mKind;
   std::string mName;
+  std::vector<std::string> mTasks;
   Workers mWorkers;
   ddk::Accel mAccel;
+};
+
+class RaycoreRefit final : public RaycoreBuilder {
+ public:
+  RaycoreRefit(const Soup &soup, int threads)
+      : RaycoreBuilder(soup, AccelKind::Bvh, "raycore bvh refit", {"refit"}, threads) {
+    RaycoreBuilder::build();
+  }
+  void build() override {
+    readVertices();
+    ddk::refit(mTriangles, mWorkers, mAccel);
+  }
 };
 
 }  // namespace
@@ -85,8 +108,11 @@ void addRaycore(const Soup &soup, int threads, Tracers &tracers) {
 }
 
 void addRaycoreBuilders(const Soup &soup, int threads, Builders &builders) {
-  builders.push_back(std::make_unique<RaycoreBuilder>(soup, AccelKind::KdTree, "raycore kdtree", threads));
-  builders.push_back(std::make_unique<RaycoreBuilder>(soup, AccelKind::Bvh, "raycore bvh", threads));
+  builders.push_back(std::make_unique<RaycoreBuilder>(soup, AccelKind::KdTree, "raycore kdtree",
+                                                      std::vector<std::string>{"build"}, threads));
+  builders.push_back(std::make_unique<RaycoreBuilder>(soup, AccelKind::Bvh, "raycore bvh",
+                                                      std::vector<std::string>{"build", "rebuild"}, threads));
+  builders.push_back(std::make_unique<RaycoreRefit>(soup, threads));
 }
 
 }  // namespace rc::bench

@@ -28,11 +28,13 @@ std::vector<Reference> makeReferences(std::span<const HotTriangle> triangles, Bo
 Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const Workers &workers) {
   Accel accel;
   accel.kind = kind;
+  accel.triangles = triangles.size();
   if (triangles.empty()) return accel;
   workers.run([&] {
     if (kind == AccelKind::KdTree) buildKdTree(triangles, accel);
     if (kind == AccelKind::Bvh) buildBvh(triangles, accel);
   });
+  if (kind == AccelKind::Bvh) accel.builtCost = costOf(accel);
   return accel;
 }
 

@@ -15,6 +15,8 @@ namespace rc::ddk {
 struct Accel {
   AccelKind kind = AccelKind::Exhaustive;
   Bounds bounds;
+  size_t triangles = 0;
+  double builtCost = 0;  // BVH: costOf() when it was built
   std::vector<hal::KdNode8> kdNodes;
   std::vector<uint32_t> primitives;
   std::vector<hal::BvhNode8> bvhNodes;
@@ -29,6 +31,13 @@ struct Accel {
 
 // Triangles must be finite.
 Accel buildAccel(AccelKind kind, std::span<const hal::HotTriangle> triangles, const Workers &workers);
+
+// Fits a BVH to triangles that have moved since it was built, as many as then. False if there is none for so many, or
+// if it has become so much worse that it should be built anew; then what it is is undefined.
+bool refit(std::span<const hal::HotTriangle> triangles, const Workers &workers, Accel &accel);
+
+// What a random ray through the bounds costs in a BVH: boxes it meets. [Goldsmith, Salmon 1987]
+double costOf(const Accel &accel);
 
 // One for each kind; buildAccel chooses.
 void buildKdTree(std::span<const hal::HotTriangle> triangles, Accel &accel);
