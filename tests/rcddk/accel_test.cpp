@@ -132,5 +132,58 @@ TEST(Accel, BvhLeavesHoldEachTriangleOnceInsideTheirBoxes) {
   for (size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << i;
 }
 
+// The hits in a scene whose triangles are swapped for moved ones and whose tree is fitted to them.
+std::vector<Hit> hitsAfterRefit(const Triangles &before, const Triangles &after, std::span<const Ray> rays,
+                                int threads) {
+  TestScene scene(before);
+  scene.triangles = after;
+  EXPECT_TRUE(ddk::refit(scene.triangles, Workers(threads), scene.accel));
+  std::vector<Hit> hits(rays.size());
+  createDevice("cpu", 2)->intersect(scene.update(), rays, hits);
+  return hits;
+}
+
+TEST(Refit, GivesTheHitsOfTheMovedTriangles) {
+  const Triangles before = knot(24);
+  Triangles after = before;
+  for (HotTriangle &t : after) {
+    for (Vec3 *v : {&t.v0, &t.v1, &t.v2}) *v += 0.05f * Vec3(std::sin(3 * v->y), std::cos(2 * v->z), std::sin(v->x));
+  }
+  const std::vector<Ray> rays = randomRays(20000, 3);
+  const std::vector<Hit> truth = hitsWith(AccelKind::Exhaustive, after, rays);
+  for (int threads : {1, 5}) EXPECT_GT(expectSame(hitsAfterRefit(before, after, rays, threads), truth, "refit"), 1000u);
+}
+
+TEST(Refit, LeavesWhatHasNotMovedAsItWas) {
+  const Triangles triangles = terrain(40);
+  const Workers workers(2);
+  ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, workers);
+  const ddk::Accel built = accel;
+  EXPECT_TRUE(ddk::refit(triangles, workers, accel));
+  EXPECT_TRUE(sameBytes(accel.bvhNodes, built.bvhNodes));
+  EXPECT_TRUE(sameBytes(accel.blocks, built.blocks));
+}
+
+TEST(Refit, AsksForANewTreeWhereTheOldOneIsNoGood) {
+  const Triangles triangles = terrain(40);
+  const Workers workers(1);
+  ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, workers);
+  Triangles shuffled = triangles;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(5));
+  EXPECT_FALSE(ddk::refit(shuffled, workers, accel)) << "neighbours in the tree are far apart now";
+  accel = ddk::buildAccel(AccelKind::Bvh, triangles, workers);
+  EXPECT_FALSE(ddk::refit(std::span(triangles).first(100), workers, accel)) << "another number of triangles";
+  ddk::Accel kdTree = ddk::buildAccel(AccelKind::KdTree, triangles, workers);
+  EXPECT_FALSE(ddk::refit(triangles, workers, kdTree));
+}
+
+// What a triangle costs in memory, in the tree and its leaves.
+TEST(Accel, ABvhTakesAtMost80BytesATriangle) {
+  for (const Triangles &triangles : {terrain(60), knot(40), soup(5000, 2)}) {
+    const ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(2));
+    EXPECT_LE(accel.bytes(), 80 * triangles.size());
+  }
+}
+
 }  // namespace
 }  // namespace rc::test
