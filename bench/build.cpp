@@ -34,14 +34,12 @@ void measureScene(Soup &soup, int threads, const Arguments &arguments, std::vect
   for (size_t i = 0; i < builders.size(); ++i) {
     Result result = summary(times[i]);
     result.scene = soup.name;
+    result.what = builders[i]->task() + ", " + std::to_string(soup.triangles()) + " triangles";
     result.who = builders[i]->name();
     result.threads = threads;
     std::printf("%-11s %7zu triangles %d threads  %-20s %9.2f +- %5.2f ms\n", soup.name.c_str(), soup.triangles(),
                 threads, result.who.c_str(), result.median, result.spread);
-    for (const std::string &task : builders[i]->tasks()) {
-      result.what = task + ", " + std::to_string(soup.triangles()) + " triangles";
-      results.push_back(result);
-    }
+    results.push_back(result);
   }
   std::fflush(stdout);
 }

@@ -145,7 +145,7 @@ class EmbreeBuilder final : public Builder {
       : mMesh(soup, quality, threads), mQuality(quality.name), mTask(quality.task) {}
 
   std::string name() const override { return std::string("embree ") + mQuality; }
-  std::vector<std::string> tasks() const override { return {mTask}; }
+  std::string task() const override { return mTask; }
   void build() override { mMesh.commit(); }
 
  private:

@@ -19,10 +19,10 @@ std::vector<hal::HotTriangle> trianglesOf(const Soup &soup) {
 
 class RaycoreTracer final : public Tracer {
  public:
-  RaycoreTracer(const Soup &soup, AccelKind kind, const char *name, int threads)
+  RaycoreTracer(const Soup &soup, AccelKind kind, ddk::Lifetime lifetime, const char *name, int threads)
       : mName(name), mTriangles(trianglesOf(soup)) {
     const Workers workers(threads);
-    mAccel = ddk::buildAccel(kind, mTriangles, workers);
+    mAccel = ddk::buildAccel(kind, mTriangles, workers, lifetime);
     mView.geometry[0] = {mTriangles, {}, {}, mAccel.view(), false};
   }
 
@@ -54,19 +54,21 @@ class RaycoreTracer final : public Tracer {
 
 class RaycoreBuilder : public Builder {
  public:
-  RaycoreBuilder(const Soup &soup, AccelKind kind, const char *name, std::vector<std::string> tasks, int threads)
+  RaycoreBuilder(const Soup &soup, AccelKind kind, ddk::Lifetime lifetime, const char *name, const char *task,
+                 int threads)
       : mSoup(soup),
         mTriangles(trianglesOf(soup)),
         mKind(kind),
+        mLifetime(lifetime),
         mName(name),
-        mTasks(std::move(tasks)),
+        mTask(task),
         mWorkers(threads) {}
 
   std::string name() const override { return mName; }
-  std::vector<std::string> tasks() const override { return mTasks; }
+  std::string task() const override { return mTask; }
   void build() override {
     readVertices();
-    mAccel = ddk::buildAccel(mKind, mTriangles, mWorkers);
+    mAccel = ddk::buildAccel(mKind, mTriangles, mWorkers, mLifetime);
   }
 
  protected:
@@ -82,8 +84,8 @@ class RaycoreBuilder : public Builder {
   const Soup &mSoup;
   std::vector<hal::HotTriangle> mTriangles;
   AccelKind mKind;
-  std::string mName;
-  std::vector<std::string> mTasks;
+  ddk::Lifetime mLifetime;
+  std::string mName, mTask;
   Workers mWorkers;
   ddk::Accel mAccel;
 };
@@ -91,7 +93,7 @@ class RaycoreBuilder : public Builder {
 class RaycoreRefit final : public RaycoreBuilder {
  public:
   RaycoreRefit(const Soup &soup, int threads)
-      : RaycoreBuilder(soup, AccelKind::Bvh, "raycore bvh refit", {"refit"}, threads) {
+      : RaycoreBuilder(soup, AccelKind::Bvh, ddk::Lifetime::Scene, "raycore bvh refit", "refit", threads) {
     RaycoreBuilder::build();
   }
   void build() override {
@@ -103,15 +105,21 @@ class RaycoreRefit final : public RaycoreBuilder {
 }  // namespace
 
 void addRaycore(const Soup &soup, int threads, Tracers &tracers) {
-  tracers.push_back(std::make_unique<RaycoreTracer>(soup, AccelKind::Bvh, "raycore bvh", threads));
-  tracers.push_back(std::make_unique<RaycoreTracer>(soup, AccelKind::KdTree, "raycore kdtree", threads));
+  const auto add = [&](AccelKind kind, ddk::Lifetime lifetime, const char *name) {
+    tracers.push_back(std::make_unique<RaycoreTracer>(soup, kind, lifetime, name, threads));
+  };
+  add(AccelKind::Bvh, ddk::Lifetime::Scene, "raycore bvh");
+  add(AccelKind::Bvh, ddk::Lifetime::Frame, "raycore bvh of a frame");
+  add(AccelKind::KdTree, ddk::Lifetime::Scene, "raycore kdtree");
 }
 
 void addRaycoreBuilders(const Soup &soup, int threads, Builders &builders) {
-  builders.push_back(std::make_unique<RaycoreBuilder>(soup, AccelKind::KdTree, "raycore kdtree",
-                                                      std::vector<std::string>{"build"}, threads));
-  builders.push_back(std::make_unique<RaycoreBuilder>(soup, AccelKind::Bvh, "raycore bvh",
-                                                      std::vector<std::string>{"build", "rebuild"}, threads));
+  const auto add = [&](AccelKind kind, ddk::Lifetime lifetime, const char *name, const char *task) {
+    builders.push_back(std::make_unique<RaycoreBuilder>(soup, kind, lifetime, name, task, threads));
+  };
+  add(AccelKind::KdTree, ddk::Lifetime::Scene, "raycore kdtree", "build");
+  add(AccelKind::Bvh, ddk::Lifetime::Scene, "raycore bvh", "build");
+  add(AccelKind::Bvh, ddk::Lifetime::Frame, "raycore bvh of a frame", "rebuild");
   builders.push_back(std::make_unique<RaycoreRefit>(soup, threads));
 }
 

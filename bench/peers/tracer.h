@@ -27,7 +27,7 @@ class Builder {
 
   virtual std::string name() const = 0;
   // Of "build", as good as it gets; "rebuild", for one frame; "refit", the same tree for moved triangles.
-  virtual std::vector<std::string> tasks() const = 0;
+  virtual std::string task() const = 0;
   // Builds from the vertices, which lie where the builder was told at first and may have moved.
   virtual void build() = 0;
 };

@@ -47,7 +47,7 @@ GeometrySet &Scene::target() {
 
 void Scene::buildDynamic(AccelKind kind, const Workers &workers) {
   if (!mDynamicsTraced && !refit(mDynamics.triangles, workers, mDynamics.accel)) {
-    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers);
+    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame);
   }
   mDynamicsTraced = true;
 }

@@ -132,6 +132,21 @@ TEST(Accel, BvhLeavesHoldEachTriangleOnceInsideTheirBoxes) {
   for (size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << i;
 }
 
+TEST(FrameBvh, GivesTheSameHitsOnAnyNumberOfThreads) {
+  Triangles triangles = knot(70);
+  triangles.insert(triangles.end(), 100, triangles[7]);  // equal codes
+  const std::vector<Ray> rays = randomRays(20000, 6);
+  const std::vector<Hit> truth = hitsWith(AccelKind::Bvh, triangles, rays);
+  TestScene scene(triangles);
+  scene.accel = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(1), ddk::Lifetime::Frame);
+  const ddk::Accel many = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(5), ddk::Lifetime::Frame);
+  EXPECT_TRUE(sameBytes(scene.accel.bvhNodes, many.bvhNodes));
+  EXPECT_TRUE(sameBytes(scene.accel.blocks, many.blocks));
+  std::vector<Hit> hits(rays.size());
+  createDevice("cpu", 2)->intersect(scene.update(), rays, hits);
+  EXPECT_GT(expectSame(hits, truth, "BVH of a frame"), 1000u);
+}
+
 // The hits in a scene whose triangles are swapped for moved ones and whose tree is fitted to them.
 std::vector<Hit> hitsAfterRefit(const Triangles &before, const Triangles &after, std::span<const Ray> rays,
                                 int threads) {

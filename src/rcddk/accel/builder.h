@@ -29,8 +29,12 @@ struct Accel {
   }
 };
 
+// How long a structure is of use: many frames, or the next one only, where a quick build counts as much as its rays.
+enum class Lifetime { Scene, Frame };
+
 // Triangles must be finite.
-Accel buildAccel(AccelKind kind, std::span<const hal::HotTriangle> triangles, const Workers &workers);
+Accel buildAccel(AccelKind kind, std::span<const hal::HotTriangle> triangles, const Workers &workers,
+                 Lifetime lifetime = Lifetime::Scene);
 
 // Fits a BVH to triangles that have moved since it was built, as many as then. False if there is none for so many, or
 // if it has become so much worse that it should be built anew; then what it is is undefined.
@@ -39,9 +43,10 @@ bool refit(std::span<const hal::HotTriangle> triangles, const Workers &workers, 
 // What a random ray through the bounds costs in a BVH: boxes it meets. [Goldsmith, Salmon 1987]
 double costOf(const Accel &accel);
 
-// One for each kind; buildAccel chooses.
+// One for each kind, and one for a frame's BVH; buildAccel chooses.
 void buildKdTree(std::span<const hal::HotTriangle> triangles, Accel &accel);
 void buildBvh(std::span<const hal::HotTriangle> triangles, Accel &accel);
+void buildMorton(std::span<const hal::HotTriangle> triangles, const Workers &workers, Accel &accel);
 
 // A triangle, or the part of it that lies in a cell, on its way through a builder.
 struct Reference {

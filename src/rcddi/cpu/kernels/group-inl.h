@@ -110,6 +110,10 @@ HWY_INLINE void deliverInPlace(const Batch &batch, hal::Hit *hits) {
 template <bool kAny>
 HWY_INLINE void deliver(const Batch &batch, size_t first, hal::Hit *hits, uint8_t *blocked) {
   if constexpr (kAny) {
+    if (batch.inPlace) {
+      for (size_t i = 0; i < batch.rays; ++i) blocked[first + i] = batch.t[i] == -kInfinity;
+      return;
+    }
     for (size_t i = 0; i < batch.rays; ++i) blocked[first + batch.index[i]] = batch.t[i] == -kInfinity;
   } else {
     if (batch.inPlace) return deliverInPlace(batch, hits + first);
