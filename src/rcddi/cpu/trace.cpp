@@ -4,10 +4,10 @@
 // trace.cpp: the kernels once for each instruction set, and the choice among them when the program runs.
 #include "rcddi/cpu/trace.h"
 
+#include "base/simd_targets.h"
 #include "rchal/units/traversal.h"
 
-// Highway compiles this file again for each target. Vectors whose length is known only at run time cannot be members.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+// Highway compiles this file again for each target.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rcddi/cpu/trace.cpp"
 #include <hwy/foreach_target.h>

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // bvh.cpp: the BVH's builder for each instruction set, and the choice among them.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "base/simd_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rcddk/accel/bvh.cpp"
 #include <hwy/foreach_target.h>
