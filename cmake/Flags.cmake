@@ -21,4 +21,5 @@ target_compile_options(raycore_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fno-ma
 if(RAYCORE_SANITIZE)
   add_compile_options(-fsanitize=${RAYCORE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${RAYCORE_SANITIZE})
+  add_compile_definitions(RAYCORE_FEW_TARGETS)  # src/base/simd_targets.h
 endif()

@@ -9,7 +9,7 @@ set -eu
 
 packages=(
   g++ cmake ninja-build pkg-config ccache
-  libtbb-dev libglm-dev libpng-dev libx11-dev libxext-dev libegl-dev libglvnd-core-dev
+  libtbb-dev libhwy-dev libglm-dev libpng-dev libx11-dev libxext-dev libegl-dev libglvnd-core-dev
   libgtest-dev xvfb libgles-dev libegl-mesa0 mesa-utils-bin
 )
 

@@ -14,16 +14,16 @@ namespace rc {
 enum class AccelKind { KdTree, Bvh, Exhaustive };  // Exhaustive: no structure, every triangle is tried
 
 struct Settings {
-  std::string device = "cpu";           // RAYCORE_DEVICE: a name of rcddi/registry.cpp
-  int threads = 0;                      // RAYCORE_THREADS: 1 ... 1024; 0 = as many as the machine has
-  AccelKind accel = AccelKind::KdTree;  // RAYCORE_ACCEL=kdtree|bvh|none
-  std::string profile = "guide";        // RAYCORE_PROFILE=guide|1000|mc
-  int samples = 1;                      // RAYCORE_SAMPLES: samples a pixel, 1 ... 64
-  int frames = 0;                       // RAYCORE_FRAMES: the process ends after n swaps; 0 = never
-  std::string capture;                  // RAYCORE_CAPTURE: file.png, file.ppm, frame-%04d.png
-  LogLevel log = LogLevel::Warning;     // RAYCORE_LOG
-  std::string trace;                    // RAYCORE_TRACE: a file for every rc* call; "-" is stderr
-  bool test = false;                    // RAYCORE_TEST=1: RCFramework's test mode
+  std::string device = "cpu";        // RAYCORE_DEVICE: a name of rcddi/registry.cpp
+  int threads = 0;                   // RAYCORE_THREADS: 1 ... 1024; 0 = as many as the machine has
+  AccelKind accel = AccelKind::Bvh;  // RAYCORE_ACCEL=kdtree|bvh|none
+  std::string profile = "guide";     // RAYCORE_PROFILE=guide|1000|mc
+  int samples = 1;                   // RAYCORE_SAMPLES: samples a pixel, 1 ... 64
+  int frames = 0;                    // RAYCORE_FRAMES: the process ends after n swaps; 0 = never
+  std::string capture;               // RAYCORE_CAPTURE: file.png, file.ppm, frame-%04d.png
+  LogLevel log = LogLevel::Warning;  // RAYCORE_LOG
+  std::string trace;                 // RAYCORE_TRACE: a file for every rc* call; "-" is stderr
+  bool test = false;                 // RAYCORE_TEST=1: RCFramework's test mode
 
   bool operator==(const Settings &) const = default;
 };

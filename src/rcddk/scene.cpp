@@ -5,12 +5,12 @@
 namespace rc::ddk {
 namespace {
 
-// Empties the set but keeps its memory: the next frame will be about as large.
+// Empties the set but keeps its memory: the next frame will be about as large. The structure stays too: the next
+// frame's triangles may be the same ones, moved.
 void recycle(GeometrySet &set) {
   set.triangles.clear();
   set.attributes.clear();
   set.captured.clear();
-  set.accel = {};
   set.skipped = {};
   set.filtersShadow = false;
 }
@@ -46,7 +46,9 @@ GeometrySet &Scene::target() {
 }
 
 void Scene::buildDynamic(AccelKind kind, const Workers &workers) {
-  if (!mDynamicsTraced) mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers);
+  if (!mDynamicsTraced && !refit(mDynamics.triangles, workers, mDynamics.accel)) {
+    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame);
+  }
   mDynamicsTraced = true;
 }
 

@@ -62,13 +62,24 @@ class TileTracer {
   const RayCounts &counts() const { return mCounts; }
 
  private:
+  static constexpr int kBlock = 4;  // pixels a side
+
   void generatePrimaryRays(const SceneView &scene, const Tile &tile, Vec2 offset) {
-    for (int i = 0; i < tile.columns * tile.rows; ++i) {
-      RayItem item = primaryRay(scene.camera, tile.column + i % tile.columns, tile.row + i / tile.columns, offset);
-      item.pixel = static_cast<uint32_t>(i);
-      mQueues[0].push(item);
+    for (int row = 0; row < tile.rows; row += kBlock) {
+      for (int column = 0; column < tile.columns; column += kBlock) generateBlock(scene, tile, column, row, offset);
     }
     mCounts.primary += size_t(tile.columns * tile.rows);
+  }
+
+  // Pixels that lie beside each other in both directions follow each other in the queue: their rays stay together.
+  void generateBlock(const SceneView &scene, const Tile &tile, int column, int row, Vec2 offset) {
+    for (int y = row; y < std::min(row + kBlock, tile.rows); ++y) {
+      for (int x = column; x < std::min(column + kBlock, tile.columns); ++x) {
+        RayItem item = primaryRay(scene.camera, tile.column + x, tile.row + y, offset);
+        item.pixel = static_cast<uint32_t>(y * tile.columns + x);
+        mQueues[0].push(item);
+      }
+    }
   }
 
   void traceGenerations(const SceneView &scene) {
@@ -83,7 +94,7 @@ class TileTracer {
   // Takes the last rays off the queue.
   void traceBatch(const SceneView &scene, RayQueue &queue, RayQueue &next) {
     queue.takeLast(std::min(queue.size(), mBatch), mRays);
-    Traversal::closestHits(scene, mRays, mHits);
+    mTraversal.closestHits(scene, mRays, mHits);
 
     const Outputs out{mSum, mShadows, queue, next, mCounts};
     for (size_t i = 0; i < mRays.size(); ++i) {
@@ -96,11 +107,12 @@ class TileTracer {
       mSum[item.pixel] += passFog(scene.fog, item, mHits[i].t);
       Shader(scene, item, mHits[i], out).shade();
     }
-    Traversal::addVisible(scene, mShadows, mSum);
+    mTraversal.addVisible(scene, mShadows, mSum);
     mShadows.clear();
   }
 
   size_t mBatch;
+  Traversal mTraversal;
   std::vector<RayQueue> mQueues;  // by number of bounces
   RayQueue mRays;                 // the batch in hand
   HitQueue mHits;

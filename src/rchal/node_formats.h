@@ -33,26 +33,44 @@ struct KdNode8 {
 };
 static_assert(sizeof(KdNode8) == 8);
 
-// BVH node, 32 bytes. The left child follows its parent; the right one is named by index.
-struct BvhNode32 {
-  Vec3 lower;      // 12
-  uint32_t index;  //  4  inner: right child; leaf: first entry in AccelView::primitives
-  Vec3 upper;      // 12
-  uint32_t count;  //  4  inner: 0; leaf: number of entries
+// BVH node of up to eight children, 224 bytes: their boxes by plane, so that one load gives a plane of all.
+struct alignas(32) BvhNode8 {
+  static constexpr uint32_t kWidth = 8;
+  static constexpr uint32_t kLeaf = 0x80000000;  // set in `child`: the rest is an index of AccelView::blocks
 
-  bool isLeaf() const { return count > 0; }
+  float planes[3][2][kWidth];  // 192  by axis; lower, upper; a place without a child has an inverted infinite box
+  uint32_t child[kWidth];      //  32  inner: an index of AccelView::bvhNodes; none: 0, the root, nobody's child
 };
-static_assert(sizeof(BvhNode32) == 32);
+static_assert(sizeof(BvhNode8) == 224);
+
+// What a BVH leaf is: up to four triangles, their vertices by coordinate. 160 bytes.
+// Places that are left repeat the first triangle under the number kNone: whatever they hit, it hit first.
+struct alignas(16) TriangleBlock4 {
+  static constexpr uint32_t kWidth = 4;
+  static constexpr uint32_t kNone = 0xffffffff;
+
+  float vertices[3][3][kWidth];  // 144  by vertex, by axis
+  uint32_t primitive[kWidth];    //  16
+
+  uint32_t count() const {
+    uint32_t n = 1;
+    while (n < kWidth && primitive[n] != kNone) ++n;
+    return n;
+  }
+};
+static_assert(sizeof(TriangleBlock4) == 160);
 
 // Neither kind is ever deeper, so a fixed stack suffices.
 inline constexpr int kMaxTreeDepth = 64;
+inline constexpr int kMaxBvhStack = kMaxTreeDepth * (BvhNode8::kWidth - 1) + 1;
 
 struct AccelView {
   AccelKind kind = AccelKind::Exhaustive;
-  Bounds bounds;                         // of all triangles
-  std::span<const KdNode8> kdNodes;      // root first; empty where there is nothing
-  std::span<const BvhNode32> bvhNodes;   // root first; empty where there is nothing
-  std::span<const uint32_t> primitives;  // what the leaves list: indices of triangles
+  Bounds bounds;                           // of all triangles
+  std::span<const KdNode8> kdNodes;        // root first; empty where there is nothing
+  std::span<const uint32_t> primitives;    // what the leaves of the KD-tree list: indices of triangles
+  std::span<const BvhNode8> bvhNodes;      // root first; empty where there is nothing
+  std::span<const TriangleBlock4> blocks;  // the leaves of the BVH
 };
 
 }  // namespace rc::hal

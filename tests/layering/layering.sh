@@ -37,7 +37,8 @@ done <<<"$rules"
 # A device is a sibling of the others, found by name; only the registry knows them.
 while IFS= read -r match; do
   file=${match%%:*}
-  own=$(basename "$(dirname "$file")")
+  own=${file#src/rcddi/}
+  own=${own%%/*}
   case "$match" in
     *"\"rcddi/$own/"*) ;;
     *registry.cpp*) ;;

@@ -73,6 +73,7 @@ TEST(Accel, TheTreeDoesNotDependOnTheThreads) {
       const ddk::Accel many = ddk::buildAccel(kind, triangles, Workers(threads));
       EXPECT_TRUE(sameBytes(one.kdNodes, many.kdNodes));
       EXPECT_TRUE(sameBytes(one.bvhNodes, many.bvhNodes));
+      EXPECT_TRUE(sameBytes(one.blocks, many.blocks));
       EXPECT_EQ(one.primitives, many.primitives);
     }
   }
@@ -97,7 +98,7 @@ TEST(Accel, FarGeometryLeavesTheTreeATree) {
   far.push_back(triangle({3e18f, 0, 0}, {3e18f, 3e18f, 0}, {0, 3e18f, 3e18f}));
   for (AccelKind kind : {AccelKind::KdTree, AccelKind::Bvh}) {
     const ddk::Accel accel = ddk::buildAccel(kind, far, Workers(1));
-    EXPECT_GT(accel.kdNodes.size() + accel.bvhNodes.size(), far.size() / 8);
+    EXPECT_GT(accel.kdNodes.size() + 8 * accel.bvhNodes.size(), far.size() / 8);
   }
 }
 
@@ -113,17 +114,90 @@ TEST(Accel, BvhLeavesHoldEachTriangleOnceInsideTheirBoxes) {
   const Triangles triangles = soup(3000, 5);
   const ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(2));
   std::vector<int> seen(triangles.size());
-  for (const BvhNode32 &node : accel.bvhNodes) {
-    if (!node.isLeaf()) continue;
-    for (uint32_t i = 0; i < node.count; ++i) {
-      const uint32_t primitive = accel.primitives.at(node.index + i);
-      ++seen.at(primitive);
-      for (const Vec3 &v : {triangles[primitive].v0, triangles[primitive].v1, triangles[primitive].v2}) {
-        EXPECT_TRUE(glm::all(glm::lessThanEqual(node.lower, v)) && glm::all(glm::lessThanEqual(v, node.upper)));
+  for (const BvhNode8 &node : accel.bvhNodes) {
+    for (uint32_t i = 0; i < BvhNode8::kWidth; ++i) {
+      const Vec3 lower{node.planes[0][0][i], node.planes[1][0][i], node.planes[2][0][i]};
+      const Vec3 upper{node.planes[0][1][i], node.planes[1][1][i], node.planes[2][1][i]};
+      if (!(node.child[i] & BvhNode8::kLeaf)) continue;
+      const TriangleBlock4 &block = accel.blocks.at(node.child[i] & ~BvhNode8::kLeaf);
+      for (uint32_t k = 0; k < block.count(); ++k) {
+        const HotTriangle &triangle = triangles.at(block.primitive[k]);
+        ++seen.at(block.primitive[k]);
+        for (const Vec3 &v : {triangle.v0, triangle.v1, triangle.v2}) {
+          EXPECT_TRUE(glm::all(glm::lessThanEqual(lower, v)) && glm::all(glm::lessThanEqual(v, upper)));
+        }
       }
     }
   }
   for (size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << i;
+}
+
+TEST(FrameBvh, GivesTheSameHitsOnAnyNumberOfThreads) {
+  Triangles triangles = knot(70);
+  triangles.insert(triangles.end(), 100, triangles[7]);  // equal codes
+  const std::vector<Ray> rays = randomRays(20000, 6);
+  const std::vector<Hit> truth = hitsWith(AccelKind::Bvh, triangles, rays);
+  TestScene scene(triangles);
+  scene.accel = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(1), ddk::Lifetime::Frame);
+  const ddk::Accel many = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(5), ddk::Lifetime::Frame);
+  EXPECT_TRUE(sameBytes(scene.accel.bvhNodes, many.bvhNodes));
+  EXPECT_TRUE(sameBytes(scene.accel.blocks, many.blocks));
+  std::vector<Hit> hits(rays.size());
+  createDevice("cpu", 2)->intersect(scene.update(), rays, hits);
+  EXPECT_GT(expectSame(hits, truth, "BVH of a frame"), 1000u);
+}
+
+// The hits in a scene whose triangles are swapped for moved ones and whose tree is fitted to them.
+std::vector<Hit> hitsAfterRefit(const Triangles &before, const Triangles &after, std::span<const Ray> rays,
+                                int threads) {
+  TestScene scene(before);
+  scene.triangles = after;
+  EXPECT_TRUE(ddk::refit(scene.triangles, Workers(threads), scene.accel));
+  std::vector<Hit> hits(rays.size());
+  createDevice("cpu", 2)->intersect(scene.update(), rays, hits);
+  return hits;
+}
+
+TEST(Refit, GivesTheHitsOfTheMovedTriangles) {
+  const Triangles before = knot(24);
+  Triangles after = before;
+  for (HotTriangle &t : after) {
+    for (Vec3 *v : {&t.v0, &t.v1, &t.v2}) *v += 0.05f * Vec3(std::sin(3 * v->y), std::cos(2 * v->z), std::sin(v->x));
+  }
+  const std::vector<Ray> rays = randomRays(20000, 3);
+  const std::vector<Hit> truth = hitsWith(AccelKind::Exhaustive, after, rays);
+  for (int threads : {1, 5}) EXPECT_GT(expectSame(hitsAfterRefit(before, after, rays, threads), truth, "refit"), 1000u);
+}
+
+TEST(Refit, LeavesWhatHasNotMovedAsItWas) {
+  const Triangles triangles = terrain(40);
+  const Workers workers(2);
+  ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, workers);
+  const ddk::Accel built = accel;
+  EXPECT_TRUE(ddk::refit(triangles, workers, accel));
+  EXPECT_TRUE(sameBytes(accel.bvhNodes, built.bvhNodes));
+  EXPECT_TRUE(sameBytes(accel.blocks, built.blocks));
+}
+
+TEST(Refit, AsksForANewTreeWhereTheOldOneIsNoGood) {
+  const Triangles triangles = terrain(40);
+  const Workers workers(1);
+  ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, workers);
+  Triangles shuffled = triangles;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(5));
+  EXPECT_FALSE(ddk::refit(shuffled, workers, accel)) << "neighbours in the tree are far apart now";
+  accel = ddk::buildAccel(AccelKind::Bvh, triangles, workers);
+  EXPECT_FALSE(ddk::refit(std::span(triangles).first(100), workers, accel)) << "another number of triangles";
+  ddk::Accel kdTree = ddk::buildAccel(AccelKind::KdTree, triangles, workers);
+  EXPECT_FALSE(ddk::refit(triangles, workers, kdTree));
+}
+
+// What a triangle costs in memory, in the tree and its leaves.
+TEST(Accel, ABvhTakesAtMost80BytesATriangle) {
+  for (const Triangles &triangles : {terrain(60), knot(40), soup(5000, 2)}) {
+    const ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(2));
+    EXPECT_LE(accel.bytes(), 80 * triangles.size());
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "rcddi/cpu/device.h"
 
 #include "base/parallel.h"
+#include "rcddi/cpu/traversal.h"
 #include "rchal/frame.h"
 
 namespace rc::ddi::cpu {
@@ -25,7 +26,7 @@ class CpuDevice final : public Device {
     clearOutsideViewport(scene, target);
     const PixelRect part = tracedPart(scene, target);
     const int across = (part.columns + kTileSize - 1) / kTileSize, down = (part.rows + kTileSize - 1) / kTileSize;
-    std::vector<TileTracer<>> tracers(size_t(mWorkers.threads()), TileTracer<>(kBatch));
+    std::vector<TileTracer<CpuTraversal>> tracers(size_t(mWorkers.threads()), TileTracer<CpuTraversal>(kBatch));
     mWorkers.forEach(size_t(across) * size_t(down), [&](size_t i, int worker) {
       const int column = int(i) % across * kTileSize, row = int(i) / across * kTileSize;
       const Tile tile{part.column + column, part.row + row, std::min(kTileSize, part.columns - column),
@@ -33,19 +34,29 @@ class CpuDevice final : public Device {
       tracers[size_t(worker)].trace(scene, tile, target);
     });
     RayCounts counts;
-    for (const TileTracer<> &tracer : tracers) counts += tracer.counts();
+    for (const TileTracer<CpuTraversal> &tracer : tracers) counts += tracer.counts();
     return counts;
   }
 
   void intersect(const SceneView &scene, std::span<const Ray> rays, std::span<Hit> hits) override {
-    constexpr size_t kBlock = 1024;
-    mWorkers.forEach((rays.size() + kBlock - 1) / kBlock, [&](size_t block, int) {
-      const size_t end = std::min(rays.size(), (block + 1) * kBlock);
-      for (size_t i = block * kBlock; i < end; ++i) hits[i] = closestHit(scene, rays[i]);
+    mWorkers.forEach((rays.size() + kBatch - 1) / kBatch, [&](size_t block, int) {
+      const size_t first = block * kBatch;
+      intersectBlock(scene, rays.subspan(first, std::min(kBatch, rays.size() - first)), &hits[first]);
     });
   }
 
  private:
+  static void intersectBlock(const SceneView &scene, std::span<const Ray> rays, Hit *hits) {
+    float columns[6][kBatch];
+    for (size_t i = 0; i < rays.size(); ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        columns[axis][i] = rays[i].origin[axis];
+        columns[3 + axis][i] = rays[i].direction[axis];
+      }
+    }
+    closestHits(scene, {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}, rays.size()}, hits);
+  }
+
   Workers mWorkers;
 };
 

@@ -25,14 +25,23 @@ std::vector<Reference> makeReferences(std::span<const HotTriangle> triangles, Bo
   return references;
 }
 
-Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const Workers &workers) {
+// So few triangles are sorted by the surface area heuristic within a millisecond or two.
+constexpr size_t kFewTriangles = 8192;
+
+Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const Workers &workers, Lifetime lifetime) {
   Accel accel;
   accel.kind = kind;
+  accel.triangles = triangles.size();
   if (triangles.empty()) return accel;
-  workers.run([&] {
-    if (kind == AccelKind::KdTree) buildKdTree(triangles, accel);
-    if (kind == AccelKind::Bvh) buildBvh(triangles, accel);
-  });
+  if (kind == AccelKind::KdTree) workers.run([&] { buildKdTree(triangles, accel); });
+  if (kind == AccelKind::Bvh) {
+    if (lifetime == Lifetime::Frame && triangles.size() > kFewTriangles) {
+      buildMorton(triangles, workers, accel);
+    } else {
+      workers.run([&] { buildBvh(triangles, accel); });
+    }
+  }
+  if (kind == AccelKind::Bvh) accel.builtCost = costOf(accel);
   return accel;
 }
 

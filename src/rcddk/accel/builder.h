@@ -15,23 +15,38 @@ namespace rc::ddk {
 struct Accel {
   AccelKind kind = AccelKind::Exhaustive;
   Bounds bounds;
+  size_t triangles = 0;
+  double builtCost = 0;  // BVH: costOf() when it was built
   std::vector<hal::KdNode8> kdNodes;
-  std::vector<hal::BvhNode32> bvhNodes;
   std::vector<uint32_t> primitives;
+  std::vector<hal::BvhNode8> bvhNodes;
+  std::vector<hal::TriangleBlock4> blocks;
 
-  hal::AccelView view() const { return {kind, bounds, kdNodes, bvhNodes, primitives}; }
+  hal::AccelView view() const { return {kind, bounds, kdNodes, primitives, bvhNodes, blocks}; }
   size_t bytes() const {
-    return kdNodes.size() * sizeof(hal::KdNode8) + bvhNodes.size() * sizeof(hal::BvhNode32) +
-           primitives.size() * sizeof(uint32_t);
+    return kdNodes.size() * sizeof(hal::KdNode8) + primitives.size() * sizeof(uint32_t) +
+           bvhNodes.size() * sizeof(hal::BvhNode8) + blocks.size() * sizeof(hal::TriangleBlock4);
   }
 };
 
-// Triangles must be finite.
-Accel buildAccel(AccelKind kind, std::span<const hal::HotTriangle> triangles, const Workers &workers);
+// How long a structure is of use: many frames, or the next one only, where a quick build counts as much as its rays.
+enum class Lifetime { Scene, Frame };
 
-// One for each kind; buildAccel chooses.
+// Triangles must be finite.
+Accel buildAccel(AccelKind kind, std::span<const hal::HotTriangle> triangles, const Workers &workers,
+                 Lifetime lifetime = Lifetime::Scene);
+
+// Fits a BVH to triangles that have moved since it was built, as many as then. False if there is none for so many, or
+// if it has become so much worse that it should be built anew; then what it is is undefined.
+bool refit(std::span<const hal::HotTriangle> triangles, const Workers &workers, Accel &accel);
+
+// What a random ray through the bounds costs in a BVH: boxes it meets. [Goldsmith, Salmon 1987]
+double costOf(const Accel &accel);
+
+// One for each kind, and one for a frame's BVH; buildAccel chooses.
 void buildKdTree(std::span<const hal::HotTriangle> triangles, Accel &accel);
 void buildBvh(std::span<const hal::HotTriangle> triangles, Accel &accel);
+void buildMorton(std::span<const hal::HotTriangle> triangles, const Workers &workers, Accel &accel);
 
 // A triangle, or the part of it that lies in a cell, on its way through a builder.
 struct Reference {

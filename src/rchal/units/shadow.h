@@ -29,10 +29,11 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
   return triangle.flags & kAlphaShadow ? glm::mix(Rgb(1), share, there) : share;
 }
 
-inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
-  // A light that lies on a surface is not hidden by it.
-  const float end = distance * (1 - 1e-5f);
-  if (blockedByOpaque(scene, ray, end)) return Rgb(0);
+// How far a shadow ray looks: a light that lies on a surface is not hidden by it.
+inline float shadowEnd(float distance) { return distance * (1 - 1e-5f); }
+
+// What the triangles let through that let some light through, where no other is in the way.
+inline Rgb throughFilters(const SceneView &scene, const Ray &ray, float end) {
   Rgb share{1};
   if (!scene.filtersShadow()) return share;
   HitOrder last;
@@ -47,6 +48,11 @@ inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
     last = {hit.t, hit.primitive};
     filtered = passing != Rgb(1);
   }
+}
+
+inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
+  const float end = shadowEnd(distance);
+  return blockedByOpaque(scene, ray, end) ? Rgb(0) : throughFilters(scene, ray, end);
 }
 
 }  // namespace rc::hal

@@ -44,42 +44,41 @@ inline std::optional<Interval> clip(const TraversalRay &ray, const Vec3 &lower, 
 // Each walk calls leaf(indices) for leaves from near to far until it returns true, or until all boxes
 // that begin before tMax are done. tMax is a reference: it may shrink while the walk goes on.
 
+// A child of a BVH node on its way through a walk.
+struct BvhEntry {
+  uint32_t child;  // as in BvhNode8
+  float enter;
+};
+
+// Puts the children that the ray meets before tMax onto the stack, the nearest one last.
+inline int pushChildren(const BvhNode8 &node, const TraversalRay &ray, float tMax, BvhEntry *stack, int depth) {
+  const int first = depth;
+  for (uint32_t i = 0; i < BvhNode8::kWidth && node.child[i] != 0; ++i) {
+    const Vec3 lower{node.planes[0][0][i], node.planes[1][0][i], node.planes[2][0][i]};
+    const Vec3 upper{node.planes[0][1][i], node.planes[1][1][i], node.planes[2][1][i]};
+    const auto inside = clip(ray, lower, upper, tMax);
+    if (!inside) continue;
+    int place = depth++;
+    for (; place > first && stack[place - 1].enter < inside->enter; --place) stack[place] = stack[place - 1];
+    stack[place] = {node.child[i], inside->enter};
+  }
+  return depth;
+}
+
 template <class Leaf>
 void walkBvh(const AccelView &accel, const TraversalRay &ray, const float &tMax, Leaf &&leaf) {
-  struct Entry {
-    uint32_t node;
-    float enter;
-  };
-  Entry stack[kMaxTreeDepth];
-  int depth = 0;
   if (accel.bvhNodes.empty()) return;
-  const auto root = clip(ray, accel.bvhNodes[0].lower, accel.bvhNodes[0].upper, tMax);
-  if (!root) return;
-  uint32_t current = 0;
-  for (;;) {
-    const BvhNode32 &node = accel.bvhNodes[current];
-    if (node.isLeaf()) {
-      if (leaf(accel.primitives.subspan(node.index, node.count))) return;
+  BvhEntry stack[kMaxBvhStack];
+  stack[0] = {0, 0};
+  for (int depth = 1; depth > 0;) {
+    const BvhEntry at = stack[--depth];
+    if (at.enter > tMax) continue;
+    if (at.child & BvhNode8::kLeaf) {
+      const TriangleBlock4 &block = accel.blocks[at.child & ~BvhNode8::kLeaf];
+      if (leaf(std::span<const uint32_t>(block.primitive, block.count()))) return;
     } else {
-      const BvhNode32 &left = accel.bvhNodes[current + 1], &right = accel.bvhNodes[node.index];
-      const auto inLeft = clip(ray, left.lower, left.upper, tMax);
-      const auto inRight = clip(ray, right.lower, right.upper, tMax);
-      if (inLeft && inRight) {
-        const bool leftFirst = inLeft->enter <= inRight->enter;
-        stack[depth++] = leftFirst ? Entry{node.index, inRight->enter} : Entry{current + 1, inLeft->enter};
-        current = leftFirst ? current + 1 : node.index;
-        continue;
-      }
-      if (inLeft || inRight) {
-        current = inLeft ? current + 1 : node.index;
-        continue;
-      }
+      depth = pushChildren(accel.bvhNodes[at.child], ray, tMax, stack, depth);
     }
-    do {
-      if (depth == 0) return;
-      --depth;
-    } while (stack[depth].enter > tMax);
-    current = stack[depth].node;
   }
 }
 

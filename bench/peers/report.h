@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// report.h: arguments and results of the measurements: JSON for machines, a Markdown table for people.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rc::bench {
+
+struct Arguments {
+  std::string scenes = "../shared/scenes";
+  std::string json;       // written if not empty
+  std::string who, kind;  // only those whose names contain this
+  std::vector<std::string> names = {"cornell", "bunny", "sponza", "dragon203k", "dragon871k"};
+  std::vector<std::pair<int, int>> sizes = {{800, 480}, {1920, 1080}};
+  std::vector<int> threads = {1, 2};
+  int rounds = 9;
+};
+
+// --scenes DIR --json FILE --only NAME[,NAME] --who PART --kind PART --size WxH[,WxH] --threads N[,N] --rounds N. Ends
+// the program on others.
+Arguments readArguments(int argc, char **argv);
+
+// A line of a result: who did what how fast. Values are better when larger (Mrays/s) or smaller (ms), as said.
+struct Result {
+  std::string scene, what, who;
+  int threads = 1;
+  double median = 0, spread = 0;  // spread: half the distance between the quartiles
+  size_t mismatches = 0;
+};
+
+double medianOf(std::vector<double> values);
+Result summary(const std::vector<double> &values);
+
+// One row for each scene, task and thread count: ours, the best other, and the ratio which is above 1 where we lead.
+std::string markdownTable(std::span<const Result> results, bool largerIsBetter);
+void writeJson(const std::string &path, std::span<const Result> results, const char *unit);
+
+}  // namespace rc::bench

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// batch-inl.h: up to 256 rays whose directions have the same largest component, with the same sign, as columns
+// in the axes of the watertight test: z is that component's axis. (units/intersection.h, ShearedRay)
+#if defined(RAYCORE_KERNELS_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_KERNELS_BATCH_INL
+#undef RAYCORE_KERNELS_BATCH_INL
+#else
+#define RAYCORE_KERNELS_BATCH_INL
+#endif
+
+#include "rcddi/cpu/kernels/vectors-inl.h"
+#include "rcddi/cpu/trace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+constexpr size_t kPacketRays = 16;
+constexpr size_t kPackets = 16;
+constexpr size_t kBatchRays = kPacketRays * kPackets;
+constexpr size_t kClasses = 6;  // largest component, twice, plus 1 if negative
+
+struct alignas(64) Batch {
+  size_t rays, packets;
+  int kx, ky, kz;
+  bool inPlace;                           // the batch is a whole group
+  bool common;                            // all rays have one origin
+  const float *origin[3], *direction[3];  // in world axes
+  alignas(64) float sx[kBatchRays], sy[kBatchRays], sz[kBatchRays];
+  float t[kBatchRays];  // of the best hit, or how far to look; -infinity: needs no more
+  float u[kBatchRays], v[kBatchRays];
+  uint32_t primitive[kBatchRays];
+  uint32_t index[kBatchRays];    // of the ray in the group
+  float columns[6][kBatchRays];  // what origin and direction point to, if not into the stream
+
+  hal::Ray ray(size_t i) const {
+    return {{origin[0][i], origin[1][i], origin[2][i]}, {direction[0][i], direction[1][i], direction[2][i]}};
+  }
+};
+
+// The class of each ray, with the same comparisons as ShearedRay. Returns whether all are the same.
+HWY_INLINE bool classify(const RayStream &rays, size_t first, size_t count, int32_t *classes) {
+  const D16 d;
+  const hn::RebindToSigned<D16> di;
+  auto same = hn::Eq(hn::Zero(di), hn::Zero(di));
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto x = hn::LoadU(d, rays.direction[0] + first + i), y = hn::LoadU(d, rays.direction[1] + first + i);
+    const auto z = hn::LoadU(d, rays.direction[2] + first + i);
+    const auto ax = hn::Abs(x), ay = hn::Abs(y), az = hn::Abs(z);
+    const auto xBeatsY = hn::Gt(ax, ay);
+    const auto isX = hn::And(xBeatsY, hn::Gt(ax, az)), isY = hn::AndNot(xBeatsY, hn::Gt(ay, az));
+    const auto largest = hn::IfThenElse(isX, x, hn::IfThenElse(isY, y, z));
+    const auto axis = hn::IfThenElse(hn::RebindMask(di, isX), hn::Zero(di),
+                                     hn::IfThenElse(hn::RebindMask(di, isY), hn::Set(di, 2), hn::Set(di, 4)));
+    const auto negative =
+        hn::IfThenElse(hn::RebindMask(di, hn::Lt(largest, hn::Zero(d))), hn::Set(di, 1), hn::Zero(di));
+    hn::StoreU(hn::Or(axis, negative), di, classes + i);
+    same = hn::And(same, hn::Eq(hn::Or(axis, negative), hn::Set(di, classes[0])));
+  }
+  return hn::AllTrue(di, same);
+}
+
+// Whether a column has one value.
+HWY_INLINE bool isUniform(const float *column, size_t count) {
+  const D16 d;
+  const auto first = hn::Set(d, column[0]);
+  auto same = hn::Eq(first, first);
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) same = hn::And(same, hn::Eq(hn::LoadU(d, column + i), first));
+  return hn::AllTrue(d, same);
+}
+
+// Everything but the pointers to the columns and index. tMax: null for rays without end.
+HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax) {
+  const D16 d;
+  const hn::RebindToUnsigned<D16> du;
+  batch.rays = rays;
+  batch.packets = (rays + kPacketRays - 1) / kPacketRays;
+  batch.kz = rayClass / 2;
+  batch.kx = (batch.kz + 1) % 3;
+  batch.ky = (batch.kx + 1) % 3;
+  if (rayClass & 1) std::swap(batch.kx, batch.ky);  // keeps the winding
+  const size_t count = batch.packets * kPacketRays;
+  batch.common =
+      isUniform(batch.origin[0], count) && isUniform(batch.origin[1], count) && isUniform(batch.origin[2], count);
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto z = hn::LoadU(d, batch.direction[batch.kz] + i);
+    hn::Store(hn::Div(hn::LoadU(d, batch.direction[batch.kx] + i), z), d, batch.sx + i);
+    hn::Store(hn::Div(hn::LoadU(d, batch.direction[batch.ky] + i), z), d, batch.sy + i);
+    hn::Store(hn::Div(hn::Set(d, 1.0f), z), d, batch.sz + i);
+    hn::Store(tMax ? hn::LoadU(d, tMax + i) : hn::Set(d, kInfinity), d, batch.t + i);
+    hn::Store(hn::Zero(d), d, batch.u + i);
+    hn::Store(hn::Zero(d), d, batch.v + i);
+    hn::Store(hn::Set(du, hal::kNoPrimitive), du, batch.primitive + i);
+  }
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

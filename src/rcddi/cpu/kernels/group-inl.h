@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// group-inl.h: 256 rays of a stream: sorted into classes of direction, each class by beams of all its packets, of one
+// packet, or ray by ray: whichever the spread of its rays allows.
+#if defined(RAYCORE_KERNELS_GROUP_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_KERNELS_GROUP_INL
+#undef RAYCORE_KERNELS_GROUP_INL
+#else
+#define RAYCORE_KERNELS_GROUP_INL
+#endif
+
+#include "rcddi/cpu/kernels/single-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+// How many triangles a beam may meet on a surface that fills the scene evenly; more, and it is cut up. Together they
+// cost less than their rays alone. Measured with bench/trace.
+constexpr float kMostInTile = 200;
+constexpr float kMostInPacket = 40;
+
+// How wide a beam may get for that, as a share of the scene.
+inline float widest(float mostTriangles, size_t triangles) {
+  return std::min(0.25f, std::sqrt(mostTriangles / static_cast<float>(triangles)));
+}
+
+template <bool kAny>
+HWY_INLINE void walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) {
+  if (batch.common) {
+    walkWithBeam<kAny, true>(geometry, batch, beam);
+  } else {
+    walkWithBeam<kAny, false>(geometry, batch, beam);
+  }
+}
+
+template <bool kAny>
+HWY_INLINE void walkOneByOne(const Geometry &geometry, Batch &batch, size_t packet) {
+  SlabRays slabs;
+  setUp(batch, packet, slabs);
+  const size_t end = std::min((packet + 1) * kPacketRays, batch.rays);
+  for (size_t i = packet * kPacketRays; i < end; ++i) walkAlone<kAny>(geometry, batch, slabs, i);
+}
+
+// The scalar unit, for rays from beyond what the kernels' margins cover.
+template <bool kAny>
+HWY_NOINLINE void traceWithUnit(const Geometry &geometry, Batch &batch) {
+  hal::SceneView scene;
+  scene.geometry[0] = geometry.view;
+  for (size_t i = 0; i < batch.rays; ++i) {
+    if (kAny) {
+      if (hal::blockedByOpaque(scene, batch.ray(i), batch.t[i])) batch.t[i] = -kInfinity;
+      continue;
+    }
+    hal::Hit hit = hal::closestHit(scene, batch.ray(i));
+    if (!hit.found()) continue;
+    hit.primitive += geometry.base;
+    if (improves(batch, i, hit)) record<false>(batch, i, hit);
+  }
+}
+
+// Whether all numbers are so far from the limits of floats that no product of two overflows or vanishes.
+HWY_INLINE bool isTame(const Batch &batch, float extent) {
+  const D16 d;
+  auto most = hn::Zero(d), least = hn::Set(d, kInfinity);
+  for (size_t i = 0; i < batch.packets * kPacketRays; i += hn::Lanes(d)) {
+    const auto speed = hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + i));
+    most = hn::Max(most, speed);
+    least = hn::Min(least, speed);
+  }
+  constexpr float kLarge = 1e12f;
+  return hn::AllTrue(d, hn::And(hn::Lt(most, hn::Set(d, kLarge)), hn::Gt(least, hn::Set(d, 1 / kLarge)))) &&
+         extent < kLarge && magnitude(batch, 0, batch.packets) < kLarge;
+}
+
+template <bool kAny>
+HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
+  const Bounds &bounds = geometry.view.accel.bounds;
+  const float extent = maxComponent(glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper)));
+  if (!isTame(batch, extent)) return traceWithUnit<kAny>(geometry, batch);
+  const float size = glm::length(bounds.size());
+  const bool endless = !kAny && geometry.base == 0;  // rays end where they hit another geometry
+  const size_t triangles = geometry.view.triangles.size();
+  Beam beam;
+  if (batch.packets > 1) {
+    makeBeam(batch, 0, batch.packets, size, endless, beam);
+    if (spread(batch, beam, bounds, size) < widest(kMostInTile, triangles))
+      return walkPackets<kAny>(geometry, batch, beam);
+  }
+  for (size_t packet = 0; packet < batch.packets; ++packet) {
+    makeBeam(batch, packet, packet + 1, size, endless, beam);
+    if (spread(batch, beam, bounds, size) < widest(kMostInPacket, triangles)) {
+      walkPackets<kAny>(geometry, batch, beam);
+    } else {
+      walkOneByOne<kAny>(geometry, batch, packet);
+    }
+  }
+}
+
+// Hits in the order of the stream.
+HWY_INLINE void deliverInPlace(const Batch &batch, hal::Hit *hits) {
+  const D16 d;
+  const hn::RebindToUnsigned<D16> du;
+  for (size_t i = 0; i < batch.rays; i += hn::Lanes(d)) {
+    hn::StoreInterleaved4(hn::Load(d, batch.t + i), hn::Load(d, batch.u + i), hn::Load(d, batch.v + i),
+                          hn::BitCast(d, hn::Load(du, batch.primitive + i)), d, &hits[i].t);
+  }
+}
+
+template <bool kAny>
+HWY_INLINE void deliver(const Batch &batch, size_t first, hal::Hit *hits, uint8_t *blocked) {
+  if constexpr (kAny) {
+    if (batch.inPlace) {
+      for (size_t i = 0; i < batch.rays; ++i) blocked[first + i] = batch.t[i] == -kInfinity;
+      return;
+    }
+    for (size_t i = 0; i < batch.rays; ++i) blocked[first + batch.index[i]] = batch.t[i] == -kInfinity;
+  } else {
+    if (batch.inPlace) return deliverInPlace(batch, hits + first);
+    for (size_t i = 0; i < batch.rays; ++i) {
+      hits[first + batch.index[i]] = {batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]};
+    }
+  }
+}
+
+template <bool kAny>
+HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, size_t first, hal::Hit *hits, uint8_t *blocked) {
+  uint32_t base = 0;
+  for (const hal::GeometryView &geometry : scene.geometry) {
+    if (!geometry.accel.bvhNodes.empty()) traceBatch<kAny>({geometry, base}, batch);
+    base += static_cast<uint32_t>(geometry.triangles.size());
+  }
+  deliver<kAny>(batch, first, hits, blocked);
+}
+
+// Copies the rays of a class into the batch's own columns; the last one fills the last packet.
+inline void gather(const RayStream &rays, size_t first, const int32_t *classes, size_t count, int rayClass,
+                   const float *tMax, float *tColumn, Batch &batch, size_t &n) {
+  n = 0;
+  for (size_t i = 0; i < count; ++i) {
+    if (classes[i] == rayClass) batch.index[n++] = static_cast<uint32_t>(i);
+  }
+  const size_t padded = (n + kPacketRays - 1) / kPacketRays * kPacketRays;
+  for (size_t i = 0; i < padded; ++i) {
+    const size_t from = first + batch.index[std::min(i, n - 1)];
+    for (int axis = 0; axis < 3; ++axis) {
+      batch.columns[axis][i] = rays.origin[axis][from];
+      batch.columns[3 + axis][i] = rays.direction[axis][from];
+    }
+    if (tMax) tColumn[i] = tMax[from];
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    batch.origin[axis] = batch.columns[axis];
+    batch.direction[axis] = batch.columns[3 + axis];
+  }
+}
+
+template <bool kAny>
+HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, size_t first, size_t count,
+                           const float *tMax, hal::Hit *hits, uint8_t *blocked) {
+  alignas(64) int32_t classes[kBatchRays];
+  Batch batch;
+  batch.inPlace = count % kPacketRays == 0 && classify(rays, first, count, classes);
+  if (batch.inPlace) {
+    for (int axis = 0; axis < 3; ++axis) {
+      batch.origin[axis] = rays.origin[axis] + first;
+      batch.direction[axis] = rays.direction[axis] + first;
+    }
+    for (uint32_t i = 0; i < count; ++i) batch.index[i] = i;
+    setUp(batch, count, classes[0], tMax ? tMax + first : nullptr);
+    return traceClass<kAny>(scene, batch, first, hits, blocked);
+  }
+  if (count % kPacketRays) {
+    for (size_t i = 0; i < count; ++i) {
+      const hal::ShearedRay s(
+          {{}, {rays.direction[0][first + i], rays.direction[1][first + i], rays.direction[2][first + i]}});
+      classes[i] = 2 * s.kz + (s.kx != (s.kz + 1) % 3);
+    }
+  }
+  alignas(64) float tColumn[kBatchRays];
+  for (int rayClass = 0; rayClass < int(kClasses); ++rayClass) {
+    size_t n = 0;
+    gather(rays, first, classes, count, rayClass, tMax, tColumn, batch, n);
+    if (n == 0) continue;
+    setUp(batch, n, rayClass, tMax ? tColumn : nullptr);
+    traceClass<kAny>(scene, batch, first, hits, blocked);
+  }
+}
+
+// tMax: of rays that ask kAny; null else.
+template <bool kAny>
+inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, hal::Hit *hits,
+                        uint8_t *blocked) {
+  bool wide = true;
+  for (const hal::GeometryView &geometry : scene.geometry) {
+    wide &= geometry.triangles.empty() || geometry.accel.kind == AccelKind::Bvh;
+  }
+  if (wide) {
+    for (size_t first = 0; first < rays.count; first += kBatchRays) {
+      traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, hits, blocked);
+    }
+    return;
+  }
+  for (size_t i = 0; i < rays.count; ++i) {
+    const hal::Ray ray{{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
+                       {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}};
+    if constexpr (kAny) {
+      blocked[i] = hal::blockedByOpaque(scene, ray, tMax[i]);
+    } else {
+      hits[i] = hal::closestHit(scene, ray);
+    }
+  }
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// packet-inl.h: one triangle against the rays of a packet: the watertight test of units/intersection.h, operation
+// by operation, so that hits are equal to the last bit. No multiplication is fused with an addition here.
+#if defined(RAYCORE_KERNELS_PACKET_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_KERNELS_PACKET_INL
+#undef RAYCORE_KERNELS_PACKET_INL
+#else
+#define RAYCORE_KERNELS_PACKET_INL
+#endif
+
+#include "rcddi/cpu/kernels/batch-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+// A vertex as seen from the origins of rays, sheared.
+template <class V>
+struct Corner {
+  V x, y, z;
+};
+
+// The corners of the triangles of a block by vertex, along kx, ky, kz; less the origin if the batch has a common one.
+using Corners = float[3][3][hal::TriangleBlock4::kWidth];
+
+template <bool kCommon>
+HWY_INLINE Corner<hn::Vec<D16>> shear(const Batch &batch, const float (&vertex)[3][4], size_t lane, size_t i) {
+  const D16 d;
+  auto x = hn::Set(d, vertex[0][lane]), y = hn::Set(d, vertex[1][lane]), z = hn::Set(d, vertex[2][lane]);
+  if constexpr (!kCommon) {
+    x = hn::Sub(x, hn::LoadU(d, batch.origin[batch.kx] + i));
+    y = hn::Sub(y, hn::LoadU(d, batch.origin[batch.ky] + i));
+    z = hn::Sub(z, hn::LoadU(d, batch.origin[batch.kz] + i));
+  }
+  return {hn::Sub(x, hn::Mul(hn::Load(d, batch.sx + i), z)), hn::Sub(y, hn::Mul(hn::Load(d, batch.sy + i), z)), z};
+}
+
+// Whether a hit comes before what the ray has.
+HWY_INLINE bool improves(const Batch &batch, size_t i, const hal::Hit &hit) {
+  return hal::HitOrder{} < hal::HitOrder{hit.t, hit.primitive} &&
+         hal::HitOrder{hit.t, hit.primitive} < hal::HitOrder{batch.t[i], batch.primitive[i]};
+}
+
+template <bool kAny>
+HWY_INLINE void record(Batch &batch, size_t i, const hal::Hit &hit) {
+  batch.t[i] = kAny ? -kInfinity : hit.t;
+  batch.u[i] = hit.u;
+  batch.v[i] = hit.v;
+  batch.primitive[i] = hit.primitive;
+}
+
+// Rays that meet an edge as exactly as float can tell: the scalar unit decides.
+template <bool kAny>
+HWY_NOINLINE bool intersectOnEdge(Batch &batch, const hal::HotTriangle &triangle, uint32_t primitive, size_t first,
+                                  uint32_t lanes) {
+  bool changed = false;
+  while (lanes) {
+    const size_t i = first + nextBit(lanes);
+    hal::Hit hit;
+    if (!hal::intersectTriangle(hal::ShearedRay(batch.ray(i)), triangle, hit)) continue;
+    hit.primitive = primitive;
+    if (kAny ? !(hit.t > 0 && hit.t < batch.t[i]) : !improves(batch, i, hit)) continue;
+    record<kAny>(batch, i, hit);
+    changed = true;
+  }
+  return changed;
+}
+
+// Returns whether a ray has got a better hit, or is blocked.
+template <bool kAny, bool kCommon>
+HWY_INLINE bool intersectPacket(Batch &batch, const Corners &corners, size_t lane, const hal::HotTriangle &triangle,
+                                uint32_t primitive, size_t packet) {
+  const D16 d;
+  const hn::RebindToUnsigned<D16> du;
+  const auto zero = hn::Zero(d);
+  bool changed = false;
+  for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(d)) {
+    const auto a = shear<kCommon>(batch, corners[0], lane, i), b = shear<kCommon>(batch, corners[1], lane, i);
+    const auto c = shear<kCommon>(batch, corners[2], lane, i);
+    const auto wa = hn::Sub(hn::Mul(c.x, b.y), hn::Mul(c.y, b.x));
+    const auto wb = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
+    const auto wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
+    const auto least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
+    auto inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
+    if (hn::AllFalse(d, inside)) continue;
+    const auto onEdge = hn::And(inside, hn::Or(hn::Eq(least, zero), hn::Eq(most, zero)));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, onEdge))) {
+      changed |= intersectOnEdge<kAny>(batch, triangle, primitive, i, bitsOf(d, onEdge));
+      inside = hn::AndNot(onEdge, inside);
+    }
+    const auto scale = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(wa, wb), wc));
+    const auto height = hn::Add(hn::Add(hn::Mul(wa, a.z), hn::Mul(wb, b.z)), hn::Mul(wc, c.z));
+    const auto t = hn::Mul(hn::Mul(height, hn::Load(d, batch.sz + i)), scale);
+    const auto best = hn::Load(d, batch.t + i);
+    auto better = hn::Lt(t, best);
+    if constexpr (!kAny) {
+      const auto lower = hn::Lt(hn::Set(du, primitive), hn::Load(du, batch.primitive + i));
+      better = hn::Or(better, hn::And(hn::Eq(t, best), hn::RebindMask(d, lower)));
+    }
+    const auto accept = hn::And(inside, hn::And(hn::Gt(t, zero), better));
+    if (hn::AllFalse(d, accept)) continue;
+    changed = true;
+    hn::Store(hn::IfThenElse(accept, kAny ? hn::Set(d, -kInfinity) : t, best), d, batch.t + i);
+    if constexpr (!kAny) {
+      hn::BlendedStore(hn::Mul(wb, scale), accept, d, batch.u + i);
+      hn::BlendedStore(hn::Mul(wc, scale), accept, d, batch.v + i);
+      hn::BlendedStore(hn::Set(du, primitive), hn::RebindMask(du, accept), du, batch.primitive + i);
+    }
+  }
+  return changed;
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// vectors-inl.h: the few names that all kernels share.
+#if defined(RAYCORE_KERNELS_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_KERNELS_VECTORS_INL
+#undef RAYCORE_KERNELS_VECTORS_INL
+#else
+#define RAYCORE_KERNELS_VECTORS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstring>
+
+#include "rchal/units/traversal.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Lanes of what is looked at together; narrower instruction sets take several steps.
+using D4 = hn::CappedTag<float, 4>;    // the triangles of a block
+using D8 = hn::CappedTag<float, 8>;    // the children of a node
+using D16 = hn::CappedTag<float, 16>;  // the rays of a packet, the packets of a batch
+
+// Bit i: lane i.
+template <class D>
+HWY_INLINE uint32_t bitsOf(D d, hn::Mask<D> mask) {
+  uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  uint32_t bits;
+  std::memcpy(&bits, bytes, sizeof bits);
+  return bits;
+}
+
+// Takes the lowest bit off.
+HWY_INLINE uint32_t nextBit(uint32_t &bits) {
+  const auto bit = static_cast<uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+  bits &= bits - 1;
+  return bit;
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// trace.h: traversal and intersection for many rays at a time, in the widest instructions the machine has.
+// In: SceneView, rays in columns.  Out: Hits, equal to those of units/traversal.h bit by bit.  Next: rchal/frame.h
+//
+// Rays that follow each other should lie beside each other: they are looked at in groups of 256, blocks of 16.
+#pragma once
+
+#include <array>
+
+#include "rchal/device.h"
+
+namespace rc::ddi::cpu {
+
+struct RayStream {
+  std::array<const float *, 3> origin, direction;
+  size_t count;
+};
+
+// The nearest hit of each ray.
+void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::Hit *hits);
+
+// blocked[i] = 1 if a triangle that lets no light through lies before tMax[i] on ray i, else 0.
+void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked);
+
+}  // namespace rc::ddi::cpu

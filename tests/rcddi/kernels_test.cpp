@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// The kernels of the cpu device on each instruction set that this machine has, against the scalar unit without a
+// structure: hits equal to the last bit, and the same shadow rays blocked.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstring>
+
+#include "common/ray_kinds.h"
+#include "rcddi/cpu/trace.h"
+#include "rchal/units/traversal.h"
+
+namespace rc::test {
+namespace {
+
+using namespace rc::hal;
+
+// The same file is two programs: a quick one, and a slow one with more rays.
+#ifdef RAYCORE_MANY_RAYS
+constexpr size_t kRays = 100000;
+#define RAYCORE_RAYS ManyRays
+#else
+constexpr size_t kRays = 3000;
+#define RAYCORE_RAYS Rays
+#endif
+
+struct Columns {
+  std::vector<float> values[6];
+
+  explicit Columns(std::span<const Ray> rays) {
+    for (const Ray &ray : rays) {
+      for (int axis = 0; axis < 3; ++axis) {
+        values[axis].push_back(ray.origin[axis]);
+        values[3 + axis].push_back(ray.direction[axis]);
+      }
+    }
+  }
+  ddi::cpu::RayStream stream() const {
+    return {{values[0].data(), values[1].data(), values[2].data()},
+            {values[3].data(), values[4].data(), values[5].data()},
+            values[0].size()};
+  }
+};
+
+// Calls check() with each target alone; the best one afterwards again.
+template <class Check>
+void onEachTarget(Check &&check) {
+  const int64_t all = hwy::SupportedTargets();
+  int count = 0;
+  for (int64_t rest = all; rest != 0; rest &= rest - 1, ++count) {
+    hwy::SetSupportedTargetsForTest(rest & -rest);
+    SCOPED_TRACE(hwy::TargetName(rest & -rest));
+    check();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  EXPECT_GT(count, 0);
+}
+
+bool sameBits(const Hit &a, const Hit &b) { return std::memcmp(&a, &b, sizeof(Hit)) == 0; }
+
+size_t compareHits(const SceneView &scene, const SceneView &plain, std::span<const Ray> rays) {
+  const Columns columns(rays);
+  std::vector<Hit> truth(rays.size());
+  size_t found = 0;
+  for (size_t i = 0; i < rays.size(); ++i) {
+    truth[i] = closestHit(plain, rays[i]);
+    found += truth[i].found();
+  }
+  onEachTarget([&] {
+    std::vector<Hit> hits(rays.size());
+    ddi::cpu::closestHits(scene, columns.stream(), hits.data());
+    size_t different = 0;
+    for (size_t i = 0; i < rays.size() && different < 3; ++i) {
+      if (sameBits(hits[i], truth[i])) continue;
+      ++different;
+      ADD_FAILURE() << "ray " << i << ": " << hits[i].primitive << " at " << hits[i].t << ", should be "
+                    << truth[i].primitive << " at " << truth[i].t;
+    }
+  });
+  return found;
+}
+
+size_t compareBlocked(const SceneView &scene, const SceneView &plain, std::span<const Ray> rays, float tMax) {
+  const Columns columns(rays);
+  const std::vector<float> ends(rays.size(), tMax);
+  std::vector<uint8_t> truth(rays.size());
+  size_t count = 0;
+  for (size_t i = 0; i < rays.size(); ++i) {
+    truth[i] = blockedByOpaque(plain, rays[i], tMax);
+    count += truth[i];
+  }
+  onEachTarget([&] {
+    std::vector<uint8_t> blocked(rays.size());
+    ddi::cpu::findBlocked(scene, columns.stream(), ends.data(), blocked.data());
+    EXPECT_EQ(blocked, truth);
+  });
+  return count;
+}
+
+// A scene of two sets, so that primitive numbers run on; every seventh triangle filters light.
+class Kernels : public testing::TestWithParam<RayKind> {
+ protected:
+  void compare(const Triangles &statics, const Triangles &dynamics, size_t count) {
+    TestScene scene(filtering(statics)), second(filtering(dynamics));
+    SceneView view = scene.update();
+    view.geometry[1] = second.update().geometry[0];
+    SceneView plain = view;
+    for (GeometryView &geometry : plain.geometry) geometry.accel = {};
+    const std::vector<Ray> rays = raysOf(GetParam(), count, view);
+    EXPECT_GT(compareHits(view, plain, rays), rays.size() / 20) << "the rays miss nearly everything";
+    compareBlocked(view, plain, rays, 0.7f);
+  }
+
+ private:
+  static Triangles filtering(Triangles triangles) {
+    for (size_t i = 0; i < triangles.size(); i += 7) triangles[i].flags |= kTransmittanceShadow;
+    return triangles;
+  }
+};
+
+TEST_P(Kernels, Terrain) { compare(terrain(24), {}, kRays); }
+TEST_P(Kernels, KnotOverTerrain) { compare(terrain(6), knot(12), kRays); }
+TEST_P(Kernels, Soup) { compare(soup(300, 3), soup(40, 4), kRays); }
+TEST_P(Kernels, GridWhoseLinesTheRaysFollow) {
+  compare(gridSurface(12, [](float u, float v) { return Vec3(u, 0.25f * u, v); }), {}, kRays);
+}
+TEST_P(Kernels, FewTriangles) { compare({triangle({-2, -2, 0}, {2, -2, 0}, {0, 2, 0})}, soup(6, 1), kRays); }
+
+INSTANTIATE_TEST_SUITE_P(RAYCORE_RAYS, Kernels, testing::ValuesIn(kAllRayKinds),
+                         [](const auto &kind) { return nameOf(kind.param); });
+
+#ifndef RAYCORE_MANY_RAYS
+// Numbers beyond what margins cover: the scalar unit takes over.
+TEST(KernelLimits, HugeAndTinyNumbers) {
+  Triangles triangles = soup(50, 8);
+  triangles.push_back(triangle({-1e15f, -1e15f, 5}, {1e15f, -1e15f, 5}, {0, 1e15f, 5}));
+  TestScene scene(triangles);
+  const SceneView view = scene.update();
+  SceneView plain = view;
+  plain.geometry[0].accel = {};
+  std::vector<Ray> rays = randomRays(1000, 4);
+  for (size_t i = 0; i < rays.size(); i += 3) rays[i].direction *= 1e-15f;
+  for (size_t i = 1; i < rays.size(); i += 3) rays[i].origin *= 1e14f;
+  EXPECT_GT(compareHits(view, plain, rays), rays.size() / 20);
+}
+
+// Numbers of rays that fill neither packets nor groups.
+TEST(KernelLimits, AnyNumberOfRays) {
+  TestScene scene(terrain(10));
+  const SceneView view = scene.update();
+  SceneView plain = view;
+  plain.geometry[0].accel = {};
+  const std::vector<Ray> rays = raysOf(RayKind::Camera, 300, view);
+  for (size_t count : {1, 2, 15, 16, 17, 255, 257}) compareHits(view, plain, std::span(rays).first(count));
+}
+#endif
+
+}  // namespace
+}  // namespace rc::test
