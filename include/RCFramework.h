@@ -159,7 +159,7 @@ class RCFramework : protected WindowPlatform {
   int m_iThreshold = 0; /* level; -1: none */
   int m_iBounces = 10;
   unsigned m_uFirstBounces = 10; /* what a new context begins with */
-  int m_iSkip = 0; /* exponent of SkipFrame */
+  int m_iSkip = 0;               /* exponent of SkipFrame */
   bool m_bMipmap = true;
   bool m_bInitialized = false;
   bool m_bFailed = false;
