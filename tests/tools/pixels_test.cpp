@@ -44,7 +44,8 @@ Picture readPpm(const std::string &name) {
 
 Picture render(const std::string &model, const std::string &options) {
   const std::string path = std::string(RAYCORE_SCENES_DIR) + "/gltf/" + model;
-  const std::string name = testing::TempDir() + "pixels-" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".ppm";
+  const std::string name =
+      testing::TempDir() + "pixels-" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".ppm";
   std::filesystem::remove(name);
   const std::string command = std::string(RAYCORE_TOOL) + " render '" + path + "' -q -o '" + name + "' " + options;
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
@@ -58,7 +59,8 @@ bool covered(const Pixel &pixel) { return pixel[0] > kBackground; }
 class Pixels : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(std::string(RAYCORE_SCENES_DIR) + "/gltf")) GTEST_SKIP() << "no models in " RAYCORE_SCENES_DIR;
+    if (!std::filesystem::exists(std::string(RAYCORE_SCENES_DIR) + "/gltf"))
+      GTEST_SKIP() << "no models in " RAYCORE_SCENES_DIR;
   }
 };
 
@@ -143,12 +145,15 @@ TEST_F(Pixels, AnimatedTriangle) {
   const struct {
     const char *time;
     std::array<bool, 4> quarters;  // upper right, upper left, lower left, lower right
-  } moments[] = {{"0", {true, false, false, false}}, {"0.25", {false, true, false, false}},
-                 {"0.5", {false, false, true, false}}, {"0.75", {false, false, false, true}}};
+  } moments[] = {{"0", {true, false, false, false}},
+                 {"0.25", {false, true, false, false}},
+                 {"0.5", {false, false, true, false}},
+                 {"0.75", {false, false, false, true}}};
   for (const auto &moment : moments) {
     const Picture picture = render("AnimatedTriangle/AnimatedTriangle.gltf",
                                    std::string("--eye 0,0,4 --look-at 0,0,0 --size 100x100 --time ") + moment.time);
-    const std::array<Pixel, 4> seen{picture.at(.57, .43), picture.at(.43, .43), picture.at(.43, .57), picture.at(.57, .57)};
+    const std::array<Pixel, 4> seen{picture.at(.57, .43), picture.at(.43, .43), picture.at(.43, .57),
+                                    picture.at(.57, .57)};
     for (size_t i = 0; i < 4; ++i) EXPECT_EQ(covered(seen[i]), moment.quarters[i]) << moment.time << ' ' << i;
   }
 }

@@ -26,7 +26,7 @@ expect() {
 }
 
 expect 0 'Examples:' "$tool" --help
-for command in render info devices version; do expect 0 'Example' "$tool" "$command" --help; done
+for command in render info stats devices version; do expect 0 'Example' "$tool" "$command" --help; done
 expect 0 '^raycore [0-9]+\.[0-9]' "$tool" --version
 expect 0 '"materials": 512' "$tool" devices --json
 expect 2 'subcommand' "$tool"
@@ -52,4 +52,5 @@ done
 "$tool" render - -o - --size 20x10 -q <"$model" >from_pipe.png
 cmp -s a.png from_pipe.png || { echo "the picture through pipes differs"; failed=1; }
 "$tool" info "$model" --json | grep -q '"triangles_drawn": 1,' || { echo "info counts wrongly"; failed=1; }
+"$tool" stats "$model" --json --size 20x10 --repeat 2 | grep -qE '"rays": [1-9][0-9]+,' || { echo "stats counts no rays"; failed=1; }
 exit $failed

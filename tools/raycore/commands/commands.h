@@ -19,6 +19,7 @@ struct Command {
 
 Command addRender(CLI::App &app);
 Command addInfo(CLI::App &app);
+Command addStats(CLI::App &app);
 Command addDevices(CLI::App &app);
 Command addVersion(CLI::App &app);
 

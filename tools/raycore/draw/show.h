@@ -40,6 +40,8 @@ class Show {
   Show(Scene scene, ShowSettings settings);
 
   Image picture(float seconds);
+  // The next picture is made as if it were the first.
+  void touch() { mStandingDrawn = false; }
   const Statistics &statistics() const { return mStatistics; }
   const Scene &scene() const { return mScene; }
   int animation() const { return mAnimation; }

@@ -2,36 +2,62 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "output/sequence.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <regex>
+#include <optional>
+#include <string_view>
 
 #include "load/error.h"
 #include "load/file.h"
 
 namespace rc::tool {
+namespace {
+
+constexpr size_t kMostDigits = 7;
+
+// Takes the digits at the front of text.
+std::optional<int> takeNumber(std::string_view &text) {
+  const size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  if (digits == 0 || digits > kMostDigits) return std::nullopt;
+  const int number = std::stoi(std::string(text.substr(0, digits)));
+  text.remove_prefix(digits);
+  return number;
+}
+
+// A name with its place for the number cut out: %d or %04d.
+struct Pattern {
+  std::string before, after;
+  int width = 1;
+};
+
+std::optional<Pattern> patternIn(const std::string &name) {
+  for (size_t at = name.find('%'); at != name.npos; at = name.find('%', at + 1)) {
+    std::string_view rest = std::string_view(name).substr(at + 1);
+    const int width = takeNumber(rest).value_or(1);
+    if (rest.starts_with('d')) return Pattern{name.substr(0, at), std::string(rest.substr(1)), std::clamp(width, 1, 9)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 FrameRange rangeFrom(const std::string &text) {
-  std::smatch parts;
-  static const std::regex kRange("(\\d{1,7})(?:-(\\d{1,7}))?");
-  if (!std::regex_match(text, parts, kRange)) reject("--frames: \"{}\" is not a range such as 0-99", text);
-  const int first = std::stoi(parts[1]), last = parts[2].matched ? std::stoi(parts[2]) : first;
-  if (last < first) reject("--frames: {} comes after {}", first, last);
-  return {first, last};
+  std::string_view rest = text;
+  const std::optional<int> first = takeNumber(rest);
+  const bool two = rest.starts_with('-');
+  if (two) rest.remove_prefix(1);
+  const std::optional<int> last = two ? takeNumber(rest) : first;
+  if (!first || !last || !rest.empty()) reject("--frames: \"{}\" is not a range such as 0-99", text);
+  if (*last < *first) reject("--frames: {} comes after {}", *first, *last);
+  return {*first, *last};
 }
 
 std::string fileOfFrame(const std::string &pattern, int frame) {
-  static const std::regex kNumber("%0?(\\d*)d");
-  std::smatch found;
   const std::filesystem::path path(pattern);
-  const std::string name = path.filename().string();
-  if (!std::regex_search(name, found, kNumber)) {
-    return (path.parent_path() / fmt::format("{}-{:04}{}", path.stem().string(), frame, path.extension().string()))
-        .string();
-  }
-  const int width = found[1].length() > 0 ? std::min(std::stoi(found[1]), 9) : 1;
-  const std::string numbered = found.prefix().str() + fmt::format("{:0{}}", frame, width) + found.suffix().str();
-  return (path.parent_path() / numbered).string();
+  const Pattern plain{path.stem().string() + "-", path.extension().string(), 4};
+  const Pattern parts = patternIn(path.filename().string()).value_or(plain);
+  return (path.parent_path() / fmt::format("{}{:0{}}{}", parts.before, frame, parts.width, parts.after)).string();
 }
 
 bool isVideo(const std::string &name) {
