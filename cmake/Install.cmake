@@ -2,6 +2,9 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS RayCoreAPI RCFramework EXPORT RayCoreTargets)
+if(RAYCORE_TOOLS)
+  install(TARGETS raycore)
+endif()
 install(CODE "file(CREATE_LINK libRCFramework.a
   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/RCFramework.a\" SYMBOLIC)")
 if(TARGET raycore_vendor)

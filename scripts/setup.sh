@@ -10,6 +10,7 @@ set -eu
 packages=(
   g++ cmake ninja-build pkg-config ccache
   libtbb-dev libhwy-dev libglm-dev libpng-dev libx11-dev libxext-dev libegl-dev libglvnd-core-dev
+  libassimp-dev libopenimageio-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libgtest-dev xvfb libgles-dev libegl-mesa0 mesa-utils-bin
 )
 

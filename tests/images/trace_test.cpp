@@ -3,13 +3,13 @@
 //
 // RAYCORE_TRACE, as a user sees it: every call of an example in a file, and a line for each frame.
 #include <gtest/gtest.h>
-#include <regex.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "common/expressions.h"
 #include "images/run_example.h"
 
 namespace rc::test {
@@ -29,12 +29,8 @@ class TraceFile : public testing::Test {
     return lines;
   }
   static size_t count(const std::vector<std::string> &lines, const std::string &pattern) {
-    regex_t expression;
-    EXPECT_EQ(regcomp(&expression, pattern.c_str(), REG_EXTENDED | REG_NOSUB), 0) << pattern;
-    const auto found = std::count_if(lines.begin(), lines.end(), [&](const std::string &line) {
-      return regexec(&expression, line.c_str(), 0, nullptr, 0) == 0;
-    });
-    regfree(&expression);
+    const auto found =
+        std::count_if(lines.begin(), lines.end(), [&](const std::string &line) { return matches(line, pattern); });
     return size_t(found);
   }
 

@@ -50,8 +50,8 @@ while IFS= read -r match; do
 done < <(grep -rnE '^#include "rcddi/' src || true)
 
 # Programs see the public headers alone.
-if grep -rnE '^#include "(base|rchal|rcddi|rcddk|api|egl|framework)/' examples; then
-  echo "examples must use the public API alone"
+if grep -rnE '^#include "(base|rchal|rcddi|rcddk|api|egl|framework)/' examples tools; then
+  echo "examples and tools must use the public API alone"
   failed=1
 fi
 # One file knows oneTBB.

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The raycore authors
+#
+# Help, exit codes and messages: usage.sh TOOL.
+set -u
+tool=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+unset DISPLAY
+model=$(dirname "$(realpath "$0")" 2>/dev/null)/models/triangle.gltf
+failed=0
+
+# expect CODE PATTERN command...: exit code, and a pattern in what it says
+expect() {
+  local code=$1 pattern=$2
+  shift 2
+  "$@" >said 2>&1 </dev/null
+  local got=$?
+  if [ $got -ne "$code" ] || { [ -n "$pattern" ] && ! grep -qE -- "$pattern" said; }; then
+    echo "$* gave $got instead of $code, or no \"$pattern\":"
+    head -5 said
+    failed=1
+  fi
+}
+
+expect 0 'Examples:' "$tool" --help
+for command in render info stats devices version; do expect 0 'Example' "$tool" "$command" --help; done
+expect 0 '^raycore [0-9]+\.[0-9]' "$tool" --version
+expect 0 '"materials": 512' "$tool" devices --json
+expect 2 'subcommand' "$tool"
+expect 2 'subcommand|arguments' "$tool" nothing
+expect 2 'model' "$tool" render
+expect 2 'size' "$tool" render "$model" -o a.png --size 0x10
+expect 2 'samples' "$tool" render "$model" -o a.png --samples 65
+expect 1 '^raycore: missing.glb: cannot be opened: No such file' "$tool" info missing.glb
+expect 1 'no model format' "$tool" info said
+expect 1 'extension is none of' "$tool" render "$model" -o a.tga
+expect 1 'camera "7"' "$tool" render "$model" -o a.png --camera 7
+expect 1 'animation "Walk"' "$tool" render "$model" -o a.png --animation Walk
+expect 1 'the file has none' "$tool" render "$model" -o a.png --lights file
+expect 1 'neither a colour nor a picture' "$tool" render "$model" -o a.png --background mauve
+expect 1 'cannot be written' "$tool" render "$model" -o /proc/a.png --size 16x16
+expect 1 'ffmpeg' env PATH=/nowhere "$(realpath "$tool")" render "$model" -o a.mp4
+[ -e a.png ] && echo "a failed command left a picture" && failed=1
+expect 0 '' "$tool" render "$model" -o a.png --size 20x10 -q
+for extension in jpg bmp ppm exr; do
+  expect 0 '' "$tool" render "$model" -o "a.$extension" --size 20x10 -q
+  [ -s "a.$extension" ] || { echo "no a.$extension"; failed=1; }
+done
+"$tool" render - -o - --size 20x10 -q <"$model" >from_pipe.png
+cmp -s a.png from_pipe.png || { echo "the picture through pipes differs"; failed=1; }
+"$tool" info "$model" --json | grep -q '"triangles_drawn": 1,' || { echo "info counts wrongly"; failed=1; }
+"$tool" stats "$model" --json --size 20x10 --repeat 2 | grep -qE '"rays": [1-9][0-9]+,' || { echo "stats counts no rays"; failed=1; }
+exit $failed

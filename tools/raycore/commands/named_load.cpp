@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "commands/named_load.h"
+
+#include "load/error.h"
+#include "load/load.h"
+
+namespace rc::tool {
+
+void addLoadOptions(CLI::App &command, LoadOptions &options) {
+  CLI::Option *quiet = command.add_flag("-q,--quiet", options.quiet, "Errors alone");
+  command.add_flag("-v,--verbose", options.verbose, "What was dropped or approximated, and times")->excludes(quiet);
+}
+
+Scene loadNamed(const std::string &file, const LoadOptions &) {
+  try {
+    return loadModel(file);
+  } catch (const InputError &error) {
+    reject("{}: {}", file, error.what());
+  }
+}
+
+void printNotes(const std::string &file, const Scene &scene, const LoadOptions &options) {
+  if (options.quiet || scene.notes.empty()) return;
+  if (!options.verbose) {
+    fmt::print(stderr, "raycore: {}: {} thing{} dropped or approximated (-v lists them)\n", file, scene.notes.size(),
+               scene.notes.size() == 1 ? "" : "s");
+    return;
+  }
+  for (const std::string &note : scene.notes) fmt::print(stderr, "raycore: {}: {}\n", file, note);
+}
+
+}  // namespace rc::tool

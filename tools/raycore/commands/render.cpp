@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// raycore render: pictures, numbered pictures, films.
+#include <csignal>
+#include <filesystem>
+#include <memory>
+
+#include "commands/commands.h"
+#include "commands/named_load.h"
+#include "commands/show_options.h"
+#include "load/error.h"
+#include "output/picture_file.h"
+#include "output/progress.h"
+#include "output/sequence.h"
+#include "output/video.h"
+
+namespace rc::tool {
+namespace {
+
+constexpr int kInterrupted = 130;
+
+constexpr const char *kExamples =
+    "Examples:\n"
+    "  raycore render duck.glb -o duck.png --size 1280x720 --samples 16\n"
+    "  raycore render car.gltf -o car.jpg --camera 0 --background sky.jpg --ground mirror\n"
+    "  raycore render fox.glb -o walk-%04d.png --animation Walk --frames 0-47 --fps 24\n"
+    "  raycore render fox.glb -o walk.mp4 --animation 1\n"
+    "Frames that exist and are whole are not made again: an interrupted command goes on where it was.";
+
+struct Options {
+  std::string input, output, frames;
+  ShowSettings show;
+  double fps = 30, time = 0;
+  bool overwrite = false, json = false;
+  LoadOptions load;
+};
+
+volatile std::sig_atomic_t gInterrupted = 0;
+
+// The first Ctrl-C lets the frame be finished, the second one ends the process.
+void finishFrameOnInterrupt() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { gInterrupted = 1; };
+  action.sa_flags = int(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void report(const Options &options, const Show &show, const std::string &file, int frame) {
+  const Statistics &s = show.statistics();
+  if (options.json) {
+    fmt::print(
+        "{{\"frame\": {}, \"file\": \"{}\", \"triangles\": {}, \"rays\": {}, \"build_s\": {:.4f}, \"trace_s\": "
+        "{:.4f}}}\n",
+        frame, file, s.triangles, s.rays, s.buildSeconds, s.traceSeconds);
+    std::fflush(stdout);
+  } else if (options.load.verbose) {
+    fmt::print(stderr, "{}: {} triangles, {} rays, built in {:.3f} s, traced in {:.3f} s\n", file, s.triangles, s.rays,
+               s.buildSeconds, s.traceSeconds);
+  }
+}
+
+// Makes what is missing; false after an interruption.
+bool makeFrames(const Options &options, Show &show, const FrameRange &range, const std::string &pattern) {
+  Progress progress(range.count(), options.load.quiet);
+  long long rays = 0;
+  double seconds = 0;
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    const std::string file = fileOfFrame(pattern, frame);
+    if (options.overwrite || !isWholePicture(file, options.show.width, options.show.height)) {
+      writePicture(show.picture(float(frame / options.fps)), file);
+      rays += show.statistics().rays;
+      seconds += show.statistics().traceSeconds;
+      report(options, show, file, frame);
+    }
+    progress.done(frame - range.first + 1, rays, seconds);
+    if (gInterrupted && frame < range.last) return false;
+  }
+  return true;
+}
+
+int interrupted(const Options &options) {
+  fmt::print(stderr, "raycore: interrupted; the frames so far are kept, the same command goes on{}\n",
+             options.overwrite ? " without --overwrite" : "");
+  return kInterrupted;
+}
+
+int renderStill(const Options &options, Show &show) {
+  writePicture(show.picture(float(options.time)), options.output);
+  report(options, show, options.output, 0);
+  return 0;
+}
+
+int renderVideo(const Options &options, Show &show, const FrameRange &range) {
+  const std::string folder = framesFolder(options.output), pattern = folder + "/frame-%06d.png";
+  std::error_code error;
+  std::filesystem::create_directory(folder, error);
+  if (error) reject("{}: cannot be made: {}", folder, error.message());
+  if (!makeFrames(options, show, range, pattern)) return interrupted(options);
+  makeVideo(pattern, range, options.fps, options.output);
+  std::filesystem::remove_all(folder, error);
+  return 0;
+}
+
+FrameRange wholeAnimation(const Show &show, double fps) {
+  if (show.animation() < 0) return {};
+  const float end = show.scene().animations[size_t(show.animation())].duration();
+  return {0, std::max(0, int(std::ceil(end * fps)) - 1)};
+}
+
+void check(const Options &options) {
+  if (isVideo(options.output)) return checkFfmpeg();
+  checkPictureName(options.output);
+  if (options.output == "-" && !options.frames.empty()) reject("numbered pictures need files: -o NAME-%04d.png");
+}
+
+// A film or a sequence plays the first animation unless another is named.
+void chooseAnimation(const Scene &scene, Options &options) {
+  const bool moves = isVideo(options.output) || !options.frames.empty() || options.time != 0;
+  if (moves && options.show.animation.empty() && !scene.animations.empty()) options.show.animation = "0";
+}
+
+int render(Options options) {
+  check(options);
+  const FrameRange asked = options.frames.empty() ? FrameRange{} : rangeFrom(options.frames);
+  Scene scene = loadNamed(options.input, options.load);
+  chooseAnimation(scene, options);
+  Show show(std::move(scene), options.show);
+  printNotes(options.input, show.scene(), options.load);
+  finishFrameOnInterrupt();
+  const FrameRange range = options.frames.empty() ? wholeAnimation(show, options.fps) : asked;
+  if (isVideo(options.output)) return renderVideo(options, show, range);
+  if (options.frames.empty()) return renderStill(options, show);
+  return makeFrames(options, show, range, options.output) ? 0 : interrupted(options);
+}
+
+}  // namespace
+
+Command addRender(CLI::App &app) {
+  CLI::App *command = app.add_subcommand("render", "Render a model to pictures or a film");
+  auto options = std::make_shared<Options>();
+  command->add_option("model", options->input, "File of the model; - reads glTF from standard input")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "png, jpg, bmp, ppm, exr, mp4 or webm by extension; %04d is the frame; - is standard output")
+      ->required();
+  addShowOptions(*command, options->show);
+  command->add_option("--frames", options->frames, "Numbers of the frames, such as 0-99: numbered pictures")
+      ->type_name("A-B")
+      ->group("Time");
+  command->add_option("--fps", options->fps, "Frames a second")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->group("Time")
+      ->capture_default_str();
+  command->add_option("--animation", options->show.animation, "Animation of the file, number or name")->group("Time");
+  command->add_option("--time", options->time, "Moment of a single picture, in seconds")->group("Time");
+  command->add_flag("--overwrite", options->overwrite, "Make frames again that exist")->group("Time");
+  command->add_flag("--json", options->json, "A line of JSON on standard output for each picture");
+  addLoadOptions(*command, options->load);
+  command->footer(kExamples);
+  return {command, [options] { return render(*options); }};
+}
+
+}  // namespace rc::tool

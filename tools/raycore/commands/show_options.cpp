@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "commands/show_options.h"
+
+#include <cmath>
+#include <map>
+
+namespace rc::tool {
+namespace {
+
+const std::map<std::string, Lighting> kLightings{{"auto", Lighting::Automatic},
+                                                 {"file", Lighting::File},
+                                                 {"studio", Lighting::Studio},
+                                                 {"headlight", Lighting::Headlight},
+                                                 {"none", Lighting::None}};
+const std::map<std::string, GroundKind> kGrounds{{"none", GroundKind::None},
+                                                 {"matte", GroundKind::Matte},
+                                                 {"mirror", GroundKind::Mirror},
+                                                 {"checker", GroundKind::Checker}};
+
+std::string numbersOf(const std::string &text, char between, int count, float *values) {
+  const char *at = text.c_str();
+  for (int i = 0; i < count; ++i) {
+    char *end = nullptr;
+    values[i] = std::strtof(at, &end);
+    const bool last = i + 1 == count;
+    if (end == at || !std::isfinite(values[i]) || *end != (last ? '\0' : between))
+      return "\"" + text + "\" is not understood";
+    at = end + 1;
+  }
+  return {};
+}
+
+// "x,y,z"
+CLI::callback_t point(std::optional<Vec3> &to) {
+  return [&to](const CLI::results_t &words) {
+    Vec3 v;
+    if (!numbersOf(words[0], ',', 3, &v.x).empty()) return false;
+    to = v;
+    return true;
+  };
+}
+
+CLI::callback_t size(ShowSettings &to) {
+  return [&to](const CLI::results_t &words) {
+    float v[2];
+    if (!numbersOf(words[0], 'x', 2, v).empty()) return false;
+    const auto fits = [](float side) { return side >= 1 && side <= 16384 && side == std::floor(side); };
+    to.width = static_cast<int>(v[0]);
+    to.height = static_cast<int>(v[1]);
+    return fits(v[0]) && fits(v[1]);
+  };
+}
+
+CLI::callback_t angle(std::optional<Angle> &to) {
+  return [&to](const CLI::results_t &words) {
+    float v[2];
+    if (!numbersOf(words[0], ',', 2, v).empty()) return false;
+    to = Angle{v[0], v[1]};
+    return true;
+  };
+}
+
+}  // namespace
+
+void addShowOptions(CLI::App &command, ShowSettings &settings) {
+  const auto add = [&](const char *names, CLI::callback_t callback, const char *type, const char *what) {
+    command.add_option(names, std::move(callback), what)->type_name(type)->group("Picture");
+  };
+  add("--size", size(settings), "WxH", "Pixels, 1 to 16384 each [800x480]");
+  command.add_option("--samples", settings.samples, "Samples a pixel")
+      ->check(CLI::Range(1, 64))
+      ->group("Picture")
+      ->capture_default_str();
+  command.add_option("--bounces", settings.bounces, "Reflections and refractions after the first hit")
+      ->check(CLI::Range(0, 14))
+      ->group("Picture")
+      ->capture_default_str();
+  command.add_option("--camera", settings.camera, "Camera of the file, number or name; else the whole model is framed")
+      ->group("Picture");
+  add("--eye", point(settings.eye), "X,Y,Z", "Where the viewer is");
+  add("--look-at", point(settings.lookAt), "X,Y,Z", "What the viewer looks at [the model's middle]");
+  add("--angle", angle(settings.angle), "AZ,EL", "Degrees round the model and above it, for the framing camera");
+  command.add_option("--fov", settings.fov, "Vertical angle in degrees")
+      ->check(CLI::Range(1.0, 170.0))
+      ->group("Picture")
+      ->capture_default_str();
+  command.add_option("--up", settings.up, "Axis that points up: y or z [by format]")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->group("Picture");
+  command.add_option("--lights", settings.lighting, "auto, file, studio, headlight or none")
+      ->transform(CLI::CheckedTransformer(kLightings))
+      ->type_name("KIND")
+      ->group("Picture");
+  command
+      .add_option("--background", settings.background,
+                  "#rrggbb, r,g,b, a name, gradient[:TOP,BOTTOM], or an equirectangular picture")
+      ->group("Picture");
+  command.add_option("--ground", settings.ground, "none, matte, mirror or checker")
+      ->transform(CLI::CheckedTransformer(kGrounds))
+      ->type_name("KIND")
+      ->group("Picture");
+}
+
+}  // namespace rc::tool

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "draw/show.h"
+
+#include <RC/rc.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+
+#include "load/error.h"
+
+namespace rc::tool {
+namespace {
+
+// RayCore reads it once, before the first picture.
+int withSamples(int samples, int width) {
+  setenv("RAYCORE_SAMPLES", std::to_string(samples).c_str(), 1);
+  return width;
+}
+
+bool zIsUp(const Scene &scene, const std::string &up) { return up.empty() ? scene.zUp : up == "z"; }
+
+Bounds boundsOverTime(const Scene &scene, int animation) {
+  constexpr int kMoments = 8;
+  if (animation < 0) return boundsOf(scene, poseAt(scene, -1, 0));
+  Bounds all;
+  const float end = scene.animations[size_t(animation)].duration();
+  for (int i = 0; i <= kMoments; ++i) {
+    const Bounds bounds = boundsOf(scene, poseAt(scene, animation, end * float(i) / kMoments));
+    if (bounds.empty()) continue;
+    all.add(bounds.low);
+    all.add(bounds.high);
+  }
+  return all;
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int integerOf(RCenum name) {
+  RCint value = 0;
+  rcGetIntegerv(name, &value);
+  return value;
+}
+
+}  // namespace
+
+int animationNamed(const Scene &scene, const std::string &name) {
+  if (name.empty() || name == "none") return -1;
+  for (size_t i = 0; i < scene.animations.size(); ++i) {
+    if (scene.animations[i].name == name) return static_cast<int>(i);
+  }
+  size_t index = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
+  const bool isNumber = error == std::errc() && end == name.data() + name.size();
+  if (isNumber && index < scene.animations.size()) return static_cast<int>(index);
+  reject("--animation: no animation \"{}\", the file has {}", name, scene.animations.size());
+}
+
+Show::Show(Scene scene, ShowSettings settings)
+    : mScene(std::move(scene)),
+      mSettings(std::move(settings)),
+      mZUp(zIsUp(mScene, mSettings.up)),
+      mBackground(backgroundFrom(mSettings.background)),
+      mAnimation(animationNamed(mScene, mSettings.animation)),
+      mMoving(movingNodes(mScene, mAnimation)),
+      mBounds(boundsOverTime(mScene, mAnimation)),
+      mTarget(withSamples(mSettings.samples, mSettings.width), mSettings.height),
+      mModel(mScene),
+      mStage(mBackground, mSettings.ground, mZUp) {
+  rcDepthBounce(RCuint(mSettings.bounces));
+  checkErrors("making materials");
+  if (mBounds.empty()) mScene.note("there is no surface to draw");
+}
+
+View Show::viewAt(const Pose &pose) const {
+  const float aspect = float(mSettings.width) / float(mSettings.height);
+  View view = mSettings.camera.empty() ? framing(mBounds, aspect, mSettings.fov, mZUp, mSettings.angle)
+                                       : fromFile(mScene, pose, mSettings.camera);
+  if (mSettings.lookAt) view.centre = *mSettings.lookAt;
+  if (mSettings.eye) view.eye = *mSettings.eye;
+  if (view.eye == view.centre) reject("--eye and --look-at are the same point");
+  return view;
+}
+
+void Show::drawStanding(const Pose &pose) {
+  rcSceneAllInit();
+  rcStaticSceneBegin();
+  mModel.draw(pose, mMoving, Model::Part::Standing);
+  mStage.draw(mBounds);
+  rcStaticSceneEnd();
+  mStandingDrawn = true;
+}
+
+Image Show::picture(float seconds) {
+  const Pose pose = poseAt(mScene, mAnimation, seconds);
+  const View view = viewAt(pose);
+  setView(view, float(mSettings.width) / float(mSettings.height));
+  setLights(mScene, pose, view, mBounds, mSettings.lighting);
+  const auto start = std::chrono::steady_clock::now();
+  if (!mStandingDrawn) drawStanding(pose);
+  mModel.draw(pose, mMoving, Model::Part::Moving);
+  checkErrors("drawing the model");
+  mStatistics.buildSeconds = secondsSince(start);
+  const auto traceStart = std::chrono::steady_clock::now();
+  rcFinish();
+  mStatistics.traceSeconds = secondsSince(traceStart);
+  mStatistics.triangles = integerOf(RC_FRAME_TRIANGLES);
+  mStatistics.skipped = integerOf(RC_FRAME_TRIANGLES_SKIPPED);
+  mStatistics.rays = integerOf(RC_FRAME_RAYS);
+  return mTarget.picture(mSettings.width, mSettings.height);
+}
+
+}  // namespace rc::tool

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// textures.h: textures of the scene -> RayCore's.
+#pragma once
+
+#include <RC/rc.h>
+
+#include <map>
+#include <tuple>
+
+#include "scene/scene.h"
+
+namespace rc::tool {
+
+class Textures {
+ public:
+  explicit Textures(const Scene &scene) : mScene(scene) {}
+
+  // Binds what the material shows, if it shows a texture, into the bound material; false if it shows none.
+  bool bindColour(const Material &material);
+  bool bindNormals(const Material &material);
+
+  // The coordinates they use.
+  static const TextureUse &placeOf(const Material &material);
+
+ private:
+  const Image &imageOf(const TextureUse &use) const;
+  Image colourOf(const Material &material) const;
+  void upload(RCenum target, const Image &image, const Texture &texture, RCint opaqueAlpha);
+
+  const Scene &mScene;
+};
+
+}  // namespace rc::tool

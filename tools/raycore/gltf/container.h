@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// container.h: a .glb or .gltf file -> its JSON and its binary chunk. [glTF 2.0, 4]
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gltf/json.h"
+
+namespace rc::tool::gltf {
+
+struct Container {
+  Json json;
+  std::optional<std::string_view> binary;  // within the file's bytes
+};
+
+bool isBinary(std::string_view bytes);
+Container open(std::string_view bytes);
+
+}  // namespace rc::tool::gltf

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// error.h: what is wrong with an input. The command ends with exit code 1 and one line of it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace rc::tool {
+
+// "place: what"; the file's name comes before it.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+template <class... Arguments>
+[[noreturn]] void reject(fmt::format_string<Arguments...> text, Arguments &&...arguments) {
+  throw InputError(fmt::format(text, std::forward<Arguments>(arguments)...));
+}
+
+}  // namespace rc::tool

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// load.h: a file becomes a Scene.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace rc::tool {
+
+// The usual way: reads in a process of its own, with limits (load/sandbox.cpp). name "-": standard input.
+// Throws InputError. The process must have no other threads.
+Scene loadModel(const std::string &name);
+
+// A picture, read in the same way.
+Image loadPicture(const std::string &name);
+
+// Reads in this process; what the sandbox runs.
+Scene readModel(const std::string &name);
+
+}  // namespace rc::tool

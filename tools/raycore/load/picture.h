@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// picture.h: bytes of a picture file -> RGBA, by OpenImageIO.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace rc::tool {
+
+// name: for messages, and for the format where the bytes do not tell. Throws InputError.
+Image decodePicture(const std::string &bytes, const std::string &name);
+
+}  // namespace rc::tool

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// Which loader reads a file.
+#include "foreign/read.h"
+
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+
+#include "gltf/parts.h"
+#include "load/error.h"
+#include "load/file.h"
+#include "load/load.h"
+
+namespace rc::tool {
+namespace {
+
+std::string standardInput() { return {std::istreambuf_iterator<char>(std::cin), {}}; }
+
+bool looksLikeGltf(const std::string &name, const std::string &bytes) {
+  const std::string extension = extensionOf(name);
+  if (extension == ".glb" || extension == ".gltf") return true;
+  const size_t first = bytes.find_first_not_of(" \t\r\n");
+  return name == "-" && (bytes.starts_with("glTF") || (first != bytes.npos && bytes[first] == '{'));
+}
+
+// Assimp takes some files that hold nothing for success.
+void checkSomething(const Scene &scene) {
+  if (scene.nodes.empty() && scene.meshes.empty()) reject("there is nothing in it");
+}
+
+}  // namespace
+
+Scene readModel(const std::string &name) {
+  const std::string extension = extensionOf(name);
+  if (name == "-" || extension == ".glb" || extension == ".gltf") {
+    const std::string bytes = name == "-" ? standardInput() : readFile(name);
+    if (!looksLikeGltf(name, bytes)) reject("only glTF is read from standard input");
+    return gltf::readGltf(bytes, std::filesystem::absolute(name).parent_path().string());
+  }
+  if (extension.empty() || !foreign::reads(extension)) reject("\"{}\" is no model format that is read", extension);
+  Scene scene = foreign::readFile(name);
+  checkSomething(scene);
+  return scene;
+}
+
+}  // namespace rc::tool

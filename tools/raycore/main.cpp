@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// raycore: renders and inspects models. Exit codes: 0 done, 1 bad input or output, 2 wrong usage.
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+#include "commands/commands.h"
+
+namespace {
+
+using namespace rc::tool;
+
+constexpr int kBadInput = 1, kWrongUsage = 2;
+
+constexpr const char *kFooter =
+    "Examples:\n"
+    "  raycore render duck.glb -o duck.png\n"
+    "  raycore render fox.glb -o walk.mp4 --animation Walk --fps 30\n"
+    "  raycore info scene.gltf --json\n"
+    "Exit codes: 0 done, 1 bad input or output, 2 wrong usage.\n"
+    "RAYCORE_DEVICE, RAYCORE_THREADS, RAYCORE_ACCEL and RAYCORE_LOG choose how the library traces.";
+
+int run(const Action &action) {
+  try {
+    return action();
+  } catch (const std::bad_alloc &) {
+    std::fprintf(stderr, "raycore: there is not enough memory\n");
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "raycore: %s\n", error.what());
+  }
+  return kBadInput;
+}
+
+int parseAndRun(int argc, char **argv) {
+  CLI::App app{"Renders and inspects 3D models with the RayCore ray tracing API.", "raycore"};
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  app.set_version_flag("--version", versionText());
+  const Command commands[] = {addRender(app), addInfo(app), addStats(app), addDevices(app), addVersion(app)};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &error) {
+    return app.exit(error) == 0 ? 0 : kWrongUsage;
+  }
+  for (const Command &command : commands) {
+    if (command.app->parsed()) return run(command.run);
+  }
+  return kWrongUsage;
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error of writing
+  return parseAndRun(argc, argv);
+}
