@@ -97,6 +97,7 @@ void addPalette(const State &state, ddk::DrawCall &call) {
 void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indices) {
   const ArrayState &arrays = context.state.arrays;
   if (!arrays.vertex.enabled || hasNullPointer(arrays)) return context.noteEmptyDraw();
+  if (indices.count < 3) return;  // no primitive; the frame before stays
   ddk::GeometrySet &set = context.scene.target();
   ddk::DrawCall call{.primitive = primitive, .indices = indices};
   call.vertices = viewIfEnabled(arrays.vertex);

@@ -43,12 +43,13 @@ void readPixels(Context &context, const hal::PixelRect &part, const ReadFormat &
   if (!pixels) return;
   const size_t alignment = size_t(context.state.pixelStore.packAlignment);
   const size_t rowBytes = (size_t(part.columns) * format.bytes + alignment - 1) / alignment * alignment;
-  for (int y = 0; y < part.rows; ++y) {
-    auto *row = static_cast<RCubyte *>(pixels) + size_t(y) * rowBytes;
-    for (int x = 0; x < part.columns; ++x) {
-      // What lies beside the picture is left as it is in memory.
-      const uint32_t *pixel = pictureAt(picture, int64_t{part.column} + x, int64_t{part.row} + y);
-      if (pixel) std::memcpy(row + size_t(x) * format.bytes, pixel, format.bytes);
+  // What lies beside the picture is left as it is in memory.
+  const hal::PixelRect inside = hal::common(part, {0, 0, picture.width, picture.height});
+  for (int row = inside.row; row < inside.row + inside.rows; ++row) {
+    auto *to = static_cast<RCubyte *>(pixels) + size_t(int64_t{row} - part.row) * rowBytes;
+    for (int column = inside.column; column < inside.column + inside.columns; ++column) {
+      const auto place = size_t(int64_t{column} - part.column);
+      std::memcpy(to + place * format.bytes, &hal::pixelAt(picture, column, row), format.bytes);
     }
   }
 }

@@ -27,12 +27,15 @@ void TextureBinding::bind(api::Context &context, Surface &surface) {
   const hal::Target picture = surface.picture();
   const bool withAlpha = surface.attributes.textureFormat == EGL_TEXTURE_RGBA;
   const std::shared_ptr<ddk::Texture> &texture = context.state.texture.bound[ddk::kColourMap].texture;
-  texture->image = ddk::makeImage(texelsOf(picture, withAlpha, context.state.texture.alpha), picture.width,
-                                  picture.height, surface.attributes.mipmapTexture != EGL_FALSE);
+  // A pbuffer may be 0 pixels high: the texture then has no image.
+  const bool empty = picture.width <= 0 || picture.height <= 0;
+  texture->image = empty ? ddk::Image{}
+                         : ddk::makeImage(texelsOf(picture, withAlpha, context.state.texture.alpha), picture.width,
+                                          picture.height, surface.attributes.mipmapTexture != EGL_FALSE);
   texture->format = withAlpha ? RC_RGBA : RC_RGB;
   mTexture = texture;
   mObjects = context.shared();
-  mTexels = texture->image.levels[0].data();
+  mTexels = empty ? nullptr : texture->image.levels[0].data();
   context.touch();
 }
 

@@ -29,8 +29,13 @@ void Scene::beginStatic() {
 }
 
 void Scene::endStatic(AccelKind kind, const Workers &workers) {
+  try {
+    mStatics.accel = buildAccel(kind, mStatics.triangles, workers);
+  } catch (...) {  // out of memory: better no static scene than one without a structure
+    abandonStatic();
+    throw;
+  }
   mInStaticScene = false;
-  mStatics.accel = buildAccel(kind, mStatics.triangles, workers);
 }
 
 void Scene::abandonStatic() {

@@ -43,7 +43,7 @@ struct Texture {
   int opaqueAlpha = 16;
   RCenum format = 0;  // RC_RGB or RC_RGBA, as loaded
 
-  bool loaded() const { return image.width > 0; }
+  bool loaded() const { return image.width > 0 && image.height > 0; }
   hal::TextureView view() const;
 };
 

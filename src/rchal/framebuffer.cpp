@@ -3,9 +3,7 @@
 #include "rchal/framebuffer.h"
 
 namespace rc::hal {
-namespace {
 
-// What two rectangles have in common; wide arithmetic, since boxes of programs may be anywhere.
 PixelRect common(const PixelRect &a, const PixelRect &b) {
   const auto end = [](int first, int count) { return int64_t{first} + count; };
   const int column = std::max(a.column, b.column), row = std::max(a.row, b.row);
@@ -14,8 +12,6 @@ PixelRect common(const PixelRect &a, const PixelRect &b) {
   if (columns <= 0 || rows <= 0) return {};
   return {column, row, static_cast<int>(columns), static_cast<int>(rows)};
 }
-
-}  // namespace
 
 void clear(const SceneView &scene, const Target &target, const PixelRect &part) {
   const uint32_t colour = packColour(scene.clearColor);

@@ -24,6 +24,9 @@ inline void store(uint32_t &pixel, uint32_t value, uint32_t writeMask) {
   pixel = (pixel & ~writeMask) | (value & writeMask);
 }
 
+// What two rectangles have in common; empty where that is nothing. Those of programs may be anywhere.
+PixelRect common(const PixelRect &a, const PixelRect &b);
+
 // Fills a part of the target with the clear colour.
 void clear(const SceneView &scene, const Target &target, const PixelRect &part);
 

@@ -85,7 +85,7 @@ void submit(RCenum mode, const std::vector<Vec3> &points, const std::vector<Vec2
 
 }  // namespace
 
-Stage::Stage(const Background &background, GroundKind ground, bool zUp) : mKind(ground), mZUp(zUp) {
+Stage::Stage(const Background &background, GroundKind ground, bool zUp) : mZUp(zUp) {
   const Vec3 &c = background.colour;
   rcClearColor(c.x, c.y, c.z, 1);
   if (background.sphere) mSphere = sphereMaterial(*background.sphere);

@@ -33,7 +33,6 @@ class Stage {
   void drawGround(const Bounds &bounds) const;
 
   unsigned mSphere = 0, mGround = 0;
-  GroundKind mKind;
   bool mZUp;
 };
 
