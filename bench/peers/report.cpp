@@ -14,7 +14,7 @@ namespace {
   std::fprintf(stderr,
                "usage: %s [--scenes DIR] [--json FILE] [--only NAME[,NAME]] [--who PART] [--kind PART] [--size "
                "WxH[,WxH]] [--threads N[,N]] "
-               "[--rounds N]\n",
+               "[--rounds N] [--peer PROGRAM] [--pictures DIR]\n",
                program);
   std::exit(2);
 }
@@ -60,6 +60,11 @@ Arguments readArguments(int argc, char **argv) {
       arguments.kind = value;
     } else if (option == "--only") {
       arguments.names = split(value);
+      arguments.chosen = true;
+    } else if (option == "--peer") {
+      arguments.peer = value;
+    } else if (option == "--pictures") {
+      arguments.pictures = value;
     } else if (option == "--size") {
       arguments.sizes.clear();
       for (const std::string &part : split(value)) {

@@ -114,7 +114,7 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   call.material = materialFor(context.state, set);
   call.flags = flagsOf(context.state);
   if (context.boundMaterial().textures[ddk::kNormalMap].enabled) call.flags |= hal::kTangentFrame;
-  ddk::appendTriangles(call, set);
+  ddk::appendTriangles(call, set, context.driver().workers());
   context.touch();
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/rows.h"
 #include "rcddk/accel/builder.h"
 #include "rcddk/frame_stats.h"
 #include "rcddk/material.h"
@@ -53,8 +54,8 @@ struct DrawCall {
 
 // The static scene or one frame's dynamic geometry.
 struct GeometrySet {
-  std::vector<hal::HotTriangle> triangles;
-  std::vector<hal::TriangleAttributes> attributes;
+  Rows<hal::HotTriangle> triangles;
+  Rows<hal::TriangleAttributes> attributes;
   std::vector<Material> captured;  // of draws without a material object
   Accel accel;
   SkippedTriangles skipped;
@@ -64,6 +65,6 @@ struct GeometrySet {
 };
 
 // Appends the triangles of a draw call; incomplete last primitives are dropped.
-void appendTriangles(const DrawCall &call, GeometrySet &set);
+void appendTriangles(const DrawCall &call, GeometrySet &set, const Workers &workers);
 
 }  // namespace rc::ddk

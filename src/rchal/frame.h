@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "rchal/framebuffer.h"
-#include "rchal/units/fog.h"
+#include "rchal/tile.h"
 #include "rchal/units/ray_generation.h"
 #include "rchal/units/shading.h"
 #include "rchal/units/shadow.h"
@@ -21,103 +21,127 @@
 
 namespace rc::hal {
 
-using Tile = PixelRect;  // of the viewport; small enough for the queues of its rays
-
-// How a device answers questions to the traversal unit. This one asks the scalar unit, ray by ray.
-struct ScalarTraversal {
-  static void closestHits(const SceneView &scene, const RayQueue &rays, HitQueue &hits) {
-    hits.clear();
-    for (size_t i = 0; i < rays.size(); ++i) hits.push_back(nextHit(scene, rays.ray(i), rays.after[i], kInfinity));
+// How a device does the work of the units, a batch at a time. This one asks the scalar units, item by item.
+struct ScalarUnits {
+  // A ray through each pixel of the tile, in their order.
+  static void generate(const CameraView &camera, const Tile &tile, const TilePixels &pixels, Vec2 offset,
+                       RayQueue &rays) {
+    for (size_t i = 0; i < pixels.size(); ++i) {
+      RayItem item = primaryRay(camera, tile.column + pixels.column[i], tile.row + pixels.row[i], offset);
+      item.pixel = static_cast<uint32_t>(i);
+      rays.push(item);
+    }
   }
-  static void addVisible(const SceneView &scene, const ShadowQueue &shadows, std::span<Rgb> sum) {
+  static void closestHits(const SceneView &scene, const RayQueue &rays, HitQueue &hits) {
+    for (size_t i = 0; i < rays.size(); ++i) hits[i] = nextHit(scene, rays.ray(i), rays.after(i), kInfinity);
+  }
+  static void shade(const SceneView &scene, const RayQueue &rays, const HitQueue &hits, const Outputs &out) {
+    for (size_t i = 0; i < rays.size(); ++i) shadeRay(scene, rays[i], hits[i], out);
+  }
+  // The questions about one light.
+  static void addVisible(const SceneView &scene, const ShadowQueue &shadows, const PixelSums &sums) {
     for (size_t i = 0; i < shadows.size(); ++i) {
       const ShadowItem item = shadows[i];
-      sum[item.pixel] += item.colour * visibility(scene, item.ray, item.distance);
+      sums.add(item.pixel, item.colour * visibility(scene, item.ray, item.distance));
     }
+  }
+  // The bytes of each pixel.
+  static void pack(const PixelSums &sums, size_t count, float share, uint32_t *bytes) {
+    for (size_t i = 0; i < count; ++i) bytes[i] = packColour(sums[i] * share);
   }
 };
 
 // What one worker needs to trace tiles; reused from tile to tile.
-template <class Traversal = ScalarTraversal>
+template <class Units = ScalarUnits>
 class TileTracer {
  public:
   explicit TileTracer(size_t batch) : mBatch(batch) {}
 
   void trace(const SceneView &scene, const Tile &tile, const Target &target) {
-    if (mQueues.size() < size_t(scene.maxBounces) + 2) mQueues.resize(size_t(scene.maxBounces) + 2);
-    mPicture.assign(size_t(tile.columns * tile.rows), Rgb(0));
+    mPixels.arrange(tile.columns, tile.rows);
+    mQueues.resize(std::max(mQueues.size(), size_t(scene.maxBounces) + 2));
+    mShadows.resize(std::max(mShadows.size(), scene.lights.size()));
     for (int sample = 0; sample < scene.samples; ++sample) {
-      mSum.assign(size_t(tile.columns * tile.rows), Rgb(0));
-      generatePrimaryRays(scene, tile, samplePosition(sample, scene.samples));
+      mSum.clear(mPixels.size());
+      mUnits.generate(scene.camera, tile, mPixels, samplePosition(sample, scene.samples), mQueues[0]);
+      mCounts.primary += mPixels.size();
       traceGenerations(scene);
-      for (size_t i = 0; i < mSum.size(); ++i) mPicture[i] += glm::clamp(mSum[i], 0.0f, 1.0f);
+      if (scene.samples > 1) addSample(sample);
     }
-    const float share = 1.0f / static_cast<float>(scene.samples);
-    for (int i = 0; i < tile.columns * tile.rows; ++i) {
-      uint32_t &pixel = pixelAt(target, tile.column + i % tile.columns, tile.row + i / tile.columns);
-      store(pixel, packColour(mPicture[size_t(i)] * share), scene.writeMask);
-    }
+    store(scene, tile, target);
   }
 
   const RayCounts &counts() const { return mCounts; }
+  void resetCounts() { mCounts = {}; }
 
  private:
-  static constexpr int kBlock = 4;  // pixels a side
+  // By pixel of the tile.
+  struct Sums {
+    Vec3Column colours;
 
-  void generatePrimaryRays(const SceneView &scene, const Tile &tile, Vec2 offset) {
-    for (int row = 0; row < tile.rows; row += kBlock) {
-      for (int column = 0; column < tile.columns; column += kBlock) generateBlock(scene, tile, column, row, offset);
+    PixelSums view() { return {colours.x.data(), colours.y.data(), colours.z.data()}; }
+    void clear(size_t count) {
+      for (Column<float> *column : {&colours.x, &colours.y, &colours.z}) column->assign(count, 0);
     }
-    mCounts.primary += size_t(tile.columns * tile.rows);
-  }
-
-  // Pixels that lie beside each other in both directions follow each other in the queue: their rays stay together.
-  void generateBlock(const SceneView &scene, const Tile &tile, int column, int row, Vec2 offset) {
-    for (int y = row; y < std::min(row + kBlock, tile.rows); ++y) {
-      for (int x = column; x < std::min(column + kBlock, tile.columns); ++x) {
-        RayItem item = primaryRay(scene.camera, tile.column + x, tile.row + y, offset);
-        item.pixel = static_cast<uint32_t>(y * tile.columns + x);
-        mQueues[0].push(item);
-      }
-    }
-  }
+  };
 
   void traceGenerations(const SceneView &scene) {
     for (;;) {
       size_t deepest = mQueues.size();
       while (deepest > 0 && mQueues[deepest - 1].size() == 0) --deepest;
       if (deepest == 0) return;
-      traceBatch(scene, mQueues[deepest - 1], mQueues[deepest]);
+      traceBatch(scene, int(deepest) - 1, mQueues[deepest - 1], mQueues[deepest]);
     }
   }
 
   // Takes the last rays off the queue.
-  void traceBatch(const SceneView &scene, RayQueue &queue, RayQueue &next) {
+  void traceBatch(const SceneView &scene, int bounces, RayQueue &queue, RayQueue &next) {
     queue.takeLast(std::min(queue.size(), mBatch), mRays);
-    mTraversal.closestHits(scene, mRays, mHits);
-
-    const Outputs out{mSum, mShadows, queue, next, mCounts};
-    for (size_t i = 0; i < mRays.size(); ++i) {
-      RayItem item = mRays[i];
-      if (!mHits[i].found()) {
-        mSum[item.pixel] += item.weight * scene.clearColor;
-        continue;
-      }
-      if (item.bounces == 0 && item.after.primitive == kNoPrimitive) ++mCounts.primaryHits;
-      mSum[item.pixel] += passFog(scene.fog, item, mHits[i].t);
-      Shader(scene, item, mHits[i], out).shade();
+    mHits.resize(mRays.size());
+    mUnits.closestHits(scene, mRays, mHits);
+    mUnits.shade(scene, mRays, mHits, {mSum.view(), mShadows, queue, next, mCounts, bounces});
+    for (size_t light = 0; light < scene.lights.size(); ++light) {
+      if (mShadows[light].size() == 0) continue;
+      mUnits.addVisible(scene, mShadows[light], mSum.view());
+      mShadows[light].resize(0);
     }
-    mTraversal.addVisible(scene, mShadows, mSum);
-    mShadows.clear();
+  }
+
+  // Several samples are cut off at 1 one by one: a light in a mirror shall not outshine its edge.
+  void addSample(int sample) {
+    if (sample == 0) mPicture.clear(mPixels.size());
+    const PixelSums sums = mSum.view(), picture = mPicture.view();
+    for (size_t i = 0; i < mPixels.size(); ++i) picture.add(i, glm::clamp(sums[i], 0.0f, 1.0f));
+  }
+
+  void store(const SceneView &scene, const Tile &tile, const Target &target) {
+    mBytes.resize(mPixels.size());
+    const bool one = scene.samples == 1;
+    mUnits.pack((one ? mSum : mPicture).view(), mPixels.size(), 1.0f / static_cast<float>(scene.samples),
+                mBytes.data());
+    if (scene.writeMask == ~0u && tile.columns % TilePixels::kBlock == 0) return storeRows(tile, target);
+    for (size_t i = 0; i < mPixels.size(); ++i) {
+      uint32_t &pixel = pixelAt(target, tile.column + mPixels.column[i], tile.row + mPixels.row[i]);
+      hal::store(pixel, mBytes[i], scene.writeMask);
+    }
+  }
+  // The rows of blocks as they are.
+  void storeRows(const Tile &tile, const Target &target) {
+    for (size_t i = 0; i < mPixels.size(); i += TilePixels::kBlock) {
+      uint32_t *row = &pixelAt(target, tile.column + mPixels.column[i], tile.row + mPixels.row[i]);
+      std::copy_n(mBytes.data() + i, TilePixels::kBlock, row);
+    }
   }
 
   size_t mBatch;
-  Traversal mTraversal;
+  Units mUnits;
+  TilePixels mPixels;
   std::vector<RayQueue> mQueues;  // by number of bounces
   RayQueue mRays;                 // the batch in hand
   HitQueue mHits;
-  ShadowQueue mShadows;
-  std::vector<Rgb> mSum, mPicture;  // by pixel of the tile
+  std::vector<ShadowQueue> mShadows;  // by light
+  Sums mSum, mPicture;
+  Column<uint32_t> mBytes;
   RayCounts mCounts;
 };
 

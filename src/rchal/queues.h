@@ -7,16 +7,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
+#include "rchal/column.h"
 #include "rchal/device.h"
 
 namespace rc::hal {
 
 // A column of vectors: three columns of floats, so that lanes can be loaded without shuffling.
 struct Vec3Column {
-  std::vector<float> x, y, z;
+  Column<float> x, y, z;
 
   void push(const Vec3 &value) {
     x.push_back(value.x);
@@ -24,11 +23,6 @@ struct Vec3Column {
     z.push_back(value.z);
   }
   Vec3 operator[](size_t i) const { return {x[i], y[i], z[i]}; }
-  void resize(size_t size) {
-    x.resize(size);
-    y.resize(size);
-    z.resize(size);
-  }
 };
 
 // A ray on its way to the traversal unit, and what its result counts for.
@@ -41,52 +35,51 @@ struct RayItem {
   float coneSpread = 0;    // growth of it for each unit of distance; below 0 it narrows to a focus
   float travelled = 0;     // way from the eye to the origin, or from its plane
   uint32_t pixel = 0;      // within the tile
-  uint8_t bounces = 0;     // reflections and refractions so far
 };
 
+// Rays that were reflected and refracted equally often.
 struct RayQueue {
   Vec3Column origin, direction, weight;
-  std::vector<HitOrder> after;
-  std::vector<uint8_t> afterSeen;
-  std::vector<float> coneWidth, coneSpread, travelled;
-  std::vector<uint32_t> pixel;
-  std::vector<uint8_t> bounces;
+  Column<float> afterT;
+  Column<uint32_t> afterPrimitive, afterSeen;
+  Column<float> coneWidth, coneSpread, travelled;
+  Column<uint32_t> pixel;
 
   size_t size() const { return pixel.size(); }
   void push(const RayItem &item) {
     origin.push(item.ray.origin);
     direction.push(item.ray.direction);
-    after.push_back(item.after);
-    afterSeen.push_back(item.afterSeen);
     weight.push(item.weight);
+    afterT.push_back(item.after.t);
+    afterPrimitive.push_back(item.after.primitive);
+    afterSeen.push_back(item.afterSeen);
     coneWidth.push_back(item.coneWidth);
     coneSpread.push_back(item.coneSpread);
     travelled.push_back(item.travelled);
     pixel.push_back(item.pixel);
-    bounces.push_back(item.bounces);
   }
   RayItem operator[](size_t i) const {
-    return {.ray = {origin[i], direction[i]},
-            .after = after[i],
+    return {.ray = ray(i),
+            .after = after(i),
             .afterSeen = afterSeen[i] != 0,
             .weight = weight[i],
             .coneWidth = coneWidth[i],
             .coneSpread = coneSpread[i],
             .travelled = travelled[i],
-            .pixel = pixel[i],
-            .bounces = bounces[i]};
+            .pixel = pixel[i]};
   }
   Ray ray(size_t i) const { return {origin[i], direction[i]}; }
+  HitOrder after(size_t i) const { return {afterT[i], afterPrimitive[i]}; }
+
+  void reserve(size_t count) {
+    forEachColumn([&](auto &column) { column.reserve(count); }, *this);
+  }
+  void resize(size_t size) {
+    forEachColumn([&](auto &column) { column.resize(size); }, *this);
+  }
   // Moves the last `count` items to `taken`, in their order; what that held is dropped.
   void takeLast(size_t count, RayQueue &taken) {
-    const size_t first = size() - count;
-    if (first == 0) std::swap(*this, taken);
-    forEachColumn(
-        [&](auto &from, auto &to) {
-          if (first > 0) to.assign(from.begin() + std::ptrdiff_t(first), from.end());
-          from.resize(first);
-        },
-        *this, taken);
+    forEachColumn([&](auto &from, auto &to) { to.takeLast(count, from); }, *this, taken);
   }
 
  private:
@@ -97,17 +90,14 @@ struct RayQueue {
       visit(queues.direction.*column...);
       visit(queues.weight.*column...);
     }
-    visit(queues.after...);
-    visit(queues.afterSeen...);
-    visit(queues.coneWidth...);
-    visit(queues.coneSpread...);
-    visit(queues.travelled...);
-    visit(queues.pixel...);
-    visit(queues.bounces...);
+    for (auto column : {&RayQueue::afterT, &RayQueue::coneWidth, &RayQueue::coneSpread, &RayQueue::travelled}) {
+      visit(queues.*column...);
+    }
+    for (auto column : {&RayQueue::afterPrimitive, &RayQueue::afterSeen, &RayQueue::pixel}) visit(queues.*column...);
   }
 };
 
-using HitQueue = std::vector<Hit>;
+using HitQueue = Column<Hit>;
 
 // A question to the traversal unit: how much of `colour` gets through from the light to the point?
 struct ShadowItem {
@@ -117,10 +107,11 @@ struct ShadowItem {
   uint32_t pixel = 0;
 };
 
+// The questions about one light.
 struct ShadowQueue {
   Vec3Column origin, direction, colour;
-  std::vector<float> distance;
-  std::vector<uint32_t> pixel;
+  Column<float> distance;
+  Column<uint32_t> pixel;
 
   size_t size() const { return pixel.size(); }
   void push(const ShadowItem &item) {
@@ -131,13 +122,36 @@ struct ShadowQueue {
     pixel.push_back(item.pixel);
   }
   ShadowItem operator[](size_t i) const { return {{origin[i], direction[i]}, distance[i], colour[i], pixel[i]}; }
-  void clear() {
-    origin.resize(0);
-    direction.resize(0);
-    colour.resize(0);
-    distance.clear();
-    pixel.clear();
+  void reserve(size_t count) {
+    forEachColumn([&](auto &column) { column.reserve(count); });
   }
+  void resize(size_t size) {
+    forEachColumn([&](auto &column) { column.resize(size); });
+  }
+
+ private:
+  template <class Visit>
+  void forEachColumn(Visit &&visit) {
+    for (auto column : {&Vec3Column::x, &Vec3Column::y, &Vec3Column::z}) {
+      visit(origin.*column);
+      visit(direction.*column);
+      visit(colour.*column);
+    }
+    visit(distance);
+    visit(pixel);
+  }
+};
+
+// What the pixels of a tile have got so far: columns with room for a vector behind their end.
+struct PixelSums {
+  float *red, *green, *blue;
+
+  void add(size_t pixel, const Rgb &colour) const {
+    red[pixel] += colour.x;
+    green[pixel] += colour.y;
+    blue[pixel] += colour.z;
+  }
+  Rgb operator[](size_t pixel) const { return {red[pixel], green[pixel], blue[pixel]}; }
 };
 
 }  // namespace rc::hal

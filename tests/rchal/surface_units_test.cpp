@@ -82,10 +82,11 @@ TEST(Fog, PiecesOfTheWayMakeTheWhole) {
     RayItem item;
     item.weight = Rgb(1);
     Rgb added(0);
+    bool fromEye = true;
     for (float piece : {1.0f, 10.0f, 25.0f, 4.0f}) {
-      added += passFog(fog, item, piece);
+      added += passFog(fog, item, piece, fromEye);
       item.travelled += piece;
-      ++item.bounces;
+      fromEye = false;
     }
     EXPECT_NEAR(item.weight.x, fogTransmission(fog, 40), 1e-6);
     EXPECT_NEAR(added.x + item.weight.x, 1, 1e-6);
@@ -98,11 +99,11 @@ TEST(Fog, TheFirstPieceIsTheWholeWay) {
     const Fog fog{.mode = FogMode::Linear, .start = start, .end = end, .color = Rgb(1)};
     RayItem item;
     item.weight = Rgb(1);
-    const float added = passFog(fog, item, 20).x;
+    const float added = passFog(fog, item, 20, true).x;
     EXPECT_FLOAT_EQ(item.weight.x, fogTransmission(fog, 20));
     EXPECT_FLOAT_EQ(added + item.weight.x, 1);
     item.after = {20, 0};  // the same ray goes on
-    EXPECT_GE(passFog(fog, item, 40).x, 0) << "fog takes no light away";
+    EXPECT_GE(passFog(fog, item, 40, true).x, 0) << "fog takes no light away";
     EXPECT_LE(item.weight.x, fogTransmission(fog, 20));
   }
 }
@@ -111,18 +112,17 @@ TEST(Fog, BehindOpaqueFogNothingIsLeft) {
   const Fog fog{.mode = FogMode::Linear, .start = 0, .end = 10, .color = Rgb(0.5f)};
   RayItem item;
   item.weight = Rgb(1);
-  EXPECT_EQ(passFog(fog, item, 20).x, 0.5f);
+  EXPECT_EQ(passFog(fog, item, 20, true).x, 0.5f);
   EXPECT_EQ(item.weight.x, 0);
   item.travelled = 20;
-  ++item.bounces;
-  EXPECT_EQ(passFog(fog, item, 20).x, 0) << "not a number otherwise";
+  EXPECT_EQ(passFog(fog, item, 20, false).x, 0) << "not a number otherwise";
   EXPECT_EQ(item.weight.x, 0);
 }
 
 TEST(Fog, OffChangesNothing) {
   RayItem item;
   item.weight = Rgb(0.25f);
-  EXPECT_EQ(passFog(Fog{}, item, 7), Rgb(0));
+  EXPECT_EQ(passFog(Fog{}, item, 7, true), Rgb(0));
   EXPECT_EQ(item.weight, Rgb(0.25f));
 }
 

@@ -5,7 +5,8 @@
 #include "rcddi/cpu/device.h"
 
 #include "base/parallel.h"
-#include "rcddi/cpu/traversal.h"
+#include "rcddi/cpu/trace.h"
+#include "rcddi/cpu/units.h"
 #include "rchal/frame.h"
 
 namespace rc::ddi::cpu {
@@ -18,7 +19,9 @@ constexpr size_t kBatch = size_t(kTileSize) * kTileSize;
 
 class CpuDevice final : public Device {
  public:
-  explicit CpuDevice(int threads) : mWorkers(threads) {}
+  explicit CpuDevice(int threads) : mWorkers(threads) {
+    for (int i = 0; i < mWorkers.threads(); ++i) mTracers.emplace_back(kBatch);
+  }
 
   std::string_view name() const override { return "cpu"; }
 
@@ -26,15 +29,15 @@ class CpuDevice final : public Device {
     clearOutsideViewport(scene, target);
     const PixelRect part = tracedPart(scene, target);
     const int across = (part.columns + kTileSize - 1) / kTileSize, down = (part.rows + kTileSize - 1) / kTileSize;
-    std::vector<TileTracer<CpuTraversal>> tracers(size_t(mWorkers.threads()), TileTracer<CpuTraversal>(kBatch));
+    for (TileTracer<CpuUnits> &tracer : mTracers) tracer.resetCounts();
     mWorkers.forEach(size_t(across) * size_t(down), [&](size_t i, int worker) {
       const int column = int(i) % across * kTileSize, row = int(i) / across * kTileSize;
       const Tile tile{part.column + column, part.row + row, std::min(kTileSize, part.columns - column),
                       std::min(kTileSize, part.rows - row)};
-      tracers[size_t(worker)].trace(scene, tile, target);
+      mTracers[size_t(worker)].trace(scene, tile, target);
     });
     RayCounts counts;
-    for (const TileTracer<CpuTraversal> &tracer : tracers) counts += tracer.counts();
+    for (const TileTracer<CpuUnits> &tracer : mTracers) counts += tracer.counts();
     return counts;
   }
 
@@ -58,6 +61,7 @@ class CpuDevice final : public Device {
   }
 
   Workers mWorkers;
+  std::vector<TileTracer<CpuUnits>> mTracers;  // one for each worker
 };
 
 }  // namespace

@@ -24,6 +24,11 @@ struct SurfacePoint {
   }
 };
 
+// Rounding error of interpolating a position (Pharr et al., "Physically Based Rendering", 6.8.4), four times over for
+// that of the intersection which follows. By the largest coordinate, since that one is rounded by the next ray's own
+// axes: a wall in a coordinate plane needs its distance too.
+inline constexpr float kPositionError = 4 * 7 * 0x1p-24f;
+
 inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, const Hit &hit, const Vec3 &direction) {
   const HotTriangle &triangle = geometry.triangles[index];
   const TriangleAttributes &attributes = geometry.attributes[index];
@@ -37,11 +42,7 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
   const bool counterClockwise = glm::dot(geometric, direction) < 0;
   point.front = counterClockwise == ((triangle.flags & kClockwiseFront) == 0);
   point.flatNormal = counterClockwise ? geometric : -geometric;
-  // Rounding error of the interpolation above (Pharr et al., "Physically Based Rendering", 6.8.4), four times
-  // over for that of the intersection which follows. By the largest coordinate, since that one is rounded by the
-  // next ray's own axes: a wall in a coordinate plane needs its distance too.
-  constexpr float kError = 4 * 7 * 0x1p-24f;
-  point.safeOffset = kError * maxComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2));
+  point.safeOffset = kPositionError * maxComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2));
 
   point.normal = point.flatNormal;
   if (triangle.flags & kHasNormals) {

@@ -5,6 +5,7 @@
 // In: LightRow, SurfacePoint, colours of the surface.  Out: LightTerm.  Next: units/shading.h
 #pragma once
 
+#include "rchal/units/elementary.h"
 #include "rchal/units/hit_point.h"
 
 namespace rc::hal {
@@ -32,7 +33,7 @@ inline float spotFactor(const LightRow &light, const Vec3 &direction) {
     const float s = (cosine - light.cosOuter) / (light.cosInner - light.cosOuter);
     edge = s * s * (3 - 2 * s);
   }
-  return edge * std::pow(std::max(cosine, 0.0f), light.spotExponent);
+  return edge * powOf(std::max(cosine, 0.0f), light.spotExponent);
 }
 
 inline float attenuation(const LightRow &light, float distance) {
@@ -59,7 +60,7 @@ inline LightTerm lightAt(const LightRow &light, const SurfacePoint &point, const
   if (maxComponent(highlight) > 0) {
     const Vec3 mirrored = 2 * cosine * point.normal - term.direction;
     const float towardsView = std::max(glm::dot(mirrored, view), 0.0f);
-    term.direct += highlight * std::pow(towardsView, surface.shininess);
+    term.direct += highlight * powOf(towardsView, surface.shininess);
   }
   term.direct *= strength * cosine;
   return term;

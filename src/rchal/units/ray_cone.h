@@ -8,6 +8,7 @@
 // In: HotTriangle, TriangleAttributes, width.  Out: level of detail; growth of the next cone.  Next: units/texture.h
 #pragma once
 
+#include "rchal/units/elementary.h"
 #include "rchal/units/hit_point.h"
 
 namespace rc::hal {
@@ -20,7 +21,7 @@ inline float levelOfDetail(const HotTriangle &triangle, const TriangleAttributes
   const float texelArea =
       std::abs(du.x * dv.y - dv.x * du.y) * static_cast<float>(texture.width) * static_cast<float>(texture.height);
   const float worldArea = glm::length(edges);
-  return 0.5f * std::log2(texelArea / worldArea) + std::log2(coneWidth / std::max(cosine, 1e-3f));
+  return 0.5f * log2Of(texelArea / worldArea) + log2Of(coneWidth / std::max(cosine, 1e-3f));
 }
 
 // How fast the interpolated normals turn over the triangle, 1 / radius: above 0 where the surface bulges towards the

@@ -2,11 +2,12 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // shading.h: the shading unit: colour of one hit, and the rays it asks for. [spec 3.4, 3.5, 4; G 6, 7]
-// In: SceneView, RayItem, Hit.  Out: colours into Outputs::sum, shadow and secondary rays into its queues.
+// In: SceneView, RayItem, Hit.  Out: colours into Outputs::sums, shadow and secondary rays into its queues.
 // Next: rchal/frame.h sends the shadow rays to the traversal unit and the others round again.
 #pragma once
 
 #include "rchal/units/coverage.h"
+#include "rchal/units/fog.h"
 #include "rchal/units/lighting.h"
 #include "rchal/units/ray_cone.h"
 #include "rchal/units/texture.h"
@@ -14,11 +15,12 @@
 namespace rc::hal {
 
 struct Outputs {
-  std::span<Rgb> sum;  // by pixel of the tile
-  ShadowQueue &shadows;
-  RayQueue &sameBounce;  // rays that go straight on
-  RayQueue &nextBounce;  // reflected and refracted rays
+  PixelSums sums;
+  std::span<ShadowQueue> shadows;  // by light
+  RayQueue &sameBounce;            // rays that go straight on
+  RayQueue &nextBounce;            // reflected and refracted rays
   RayCounts &counts;
+  int bounces;  // of the rays whose hits these are: how often they were reflected or refracted
 };
 
 class Shader {
@@ -51,14 +53,14 @@ class Shader {
       return;
     }
     // At the last generation a surface shows its own colour only.
-    const bool last = mItem.bounces >= mScene.maxBounces;
+    const bool last = mOut.bounces >= mScene.maxBounces;
     shadeLocal(last ? weight : weight * (Rgb(1) - mMaterial->reflection - mMaterial->transmittance));
     if (last) return;
     reflectAndRefract(weight * mMaterial->reflection, weight * mMaterial->transmittance);
   }
 
  private:
-  void add(const Rgb &colour) { mOut.sum[mItem.pixel] += colour; }
+  void add(const Rgb &colour) { mOut.sums.add(mItem.pixel, colour); }
 
   void readTexel() {
     const TextureView &texture = mScene.textures[size_t(mMaterial->texture)];
@@ -112,7 +114,8 @@ class Shader {
                                  mPoint.color * textured(mMaterial->diffuse), mMaterial->specular,
                                  mMaterial->shininess};
     add(weight * (mMaterial->emission + mScene.globalAmbient * colours.ambient));
-    for (const LightRow &light : mScene.lights) {
+    for (size_t i = 0; i < mScene.lights.size(); ++i) {
+      const LightRow &light = mScene.lights[i];
       const LightTerm term = lightAt(light, mPoint, mView, colours);
       add(weight * term.ambient);
       const Rgb direct = weight * term.direct;
@@ -121,7 +124,7 @@ class Shader {
         add(direct);
         continue;
       }
-      mOut.shadows.push({{mPoint.start(term.direction), term.direction}, term.distance, direct, mItem.pixel});
+      mOut.shadows[i].push({{mPoint.start(term.direction), term.direction}, term.distance, direct, mItem.pixel});
       ++mOut.counts.shadow;
     }
   }
@@ -181,7 +184,6 @@ class Shader {
     next.coneWidth = mConeWidth;
     next.coneSpread = coneSpread;
     next.travelled += mHit.t;
-    ++next.bounces;
     mOut.nextBounce.push(next);
   }
 
@@ -200,5 +202,17 @@ class Shader {
   float mCoverage = 1;  // share of the surface that is there
   bool mTextured = false;
 };
+
+// What becomes of one ray whose nearest hit is known.
+inline void shadeRay(const SceneView &scene, RayItem item, const Hit &hit, const Outputs &out) {
+  if (!hit.found()) {
+    out.sums.add(item.pixel, item.weight * scene.clearColor);
+    return;
+  }
+  const bool fromEye = out.bounces == 0;
+  if (fromEye && item.after.primitive == kNoPrimitive) ++out.counts.primaryHits;
+  out.sums.add(item.pixel, passFog(scene.fog, item, hit.t, fromEye));
+  Shader(scene, item, hit, out).shade();
+}
 
 }  // namespace rc::hal

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// Milliseconds a frame through the public API, beside a Whitted renderer on Embree which traces the same scenes: the
+// program that --peer names (built from its source where CMake was told where that lies). They take turns; medians.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "frames/stage.h"
+#include "peers/report.h"
+
+namespace {
+
+using namespace rc::bench;
+
+constexpr int kFrames = 6;  // a round
+
+// Runs the peer for a few frames: milliseconds of its fastest way, building included where it does that each frame.
+double peerMilliseconds(const Arguments &arguments, const FrameScene &scene, const std::string &soups, int threads,
+                        const std::string &size) {
+  double best = 0;
+  for (const char *how : {":flat", ":inst"}) {
+    const bool moves = !scene.moving.empty();
+    if (!moves && std::strcmp(how, ":flat") != 0) break;
+    const std::string command = "RES=" + size + " SCENES='" + soups + "' '" + arguments.peer + "' " + scene.peer +
+                                (moves ? how : "") + " " + std::to_string(kFrames) + " 2>&1";
+    std::FILE *output = popen(command.c_str(), "r");
+    if (!output) return 0;
+    double fastest = 0, build = 0;
+    char line[256];
+    while (std::fgets(line, sizeof line, output)) {
+      int ofThreads = 0;
+      double value = 0;
+      const char *place = std::strstr(line, " thr: median");
+      if (place && std::sscanf(place - 2, "%d thr: median %lf", &ofThreads, &value) == 2 && ofThreads == threads) {
+        if (fastest == 0 || value < fastest) fastest = value;
+      }
+      if (std::sscanf(line, " dynamic rebuild: median %lf", &value) == 1) build = value;
+    }
+    pclose(output);
+    if (fastest > 0 && (best == 0 || fastest + build < best)) best = fastest + build;
+  }
+  return best;
+}
+
+Result named(Result result, const FrameScene &scene, const std::string &what, const char *who, int threads) {
+  result.scene = scene.name;
+  result.what = what;
+  result.who = who;
+  result.threads = threads;
+  std::printf("%-13s %-10s %d threads  %-16s %8.2f +- %5.2f ms\n", scene.name.c_str(), what.c_str(), threads, who,
+              result.median, result.spread);
+  std::fflush(stdout);
+  return result;
+}
+
+void measure(const FrameScene &scene, int width, int height, int threads, const Arguments &arguments,
+             const std::string &soups, std::vector<Result> &results) {
+  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  std::vector<double> ours, theirs, submits;
+  int frame = 0;
+  for (int round = 0; round < arguments.rounds; ++round) {
+    Stage stage(scene, width, height, threads);
+    stage.draw(frame++);
+    for (int i = 0; i < kFrames; ++i) {
+      const FrameTimes times = stage.draw(frame++);
+      ours.push_back(times.whole());
+      submits.push_back(times.submit);
+    }
+    if (round == 0) {
+      std::printf("%-13s %-10s %.0f rays a frame\n", scene.name.c_str(), size.c_str(), stage.rays());
+      if (!arguments.pictures.empty()) stage.save(arguments.pictures + "/" + scene.name + ".ppm");
+    }
+    if (!arguments.peer.empty()) theirs.push_back(peerMilliseconds(arguments, scene, soups, threads, size));
+  }
+  results.push_back(named(summary(ours), scene, size, "raycore", threads));
+  if (!scene.moving.empty()) std::printf("%-13s of which submitting %.2f ms\n", "", medianOf(submits));
+  const bool measured = !theirs.empty() && medianOf(theirs) > 0;
+  if (measured) results.push_back(named(summary(theirs), scene, size, "embree whitted", threads));
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  Arguments arguments = readArguments(argc, argv);
+  const std::string soups = std::filesystem::temp_directory_path() / "raycore-bench-soups";
+  std::filesystem::create_directories(soups);
+  if (arguments.peer.empty()) {
+    std::printf("no peer: name the Whitted renderer on Embree with --peer\n");
+  } else {
+    writeSoups(soups, arguments.scenes);
+  }
+  if (!arguments.chosen) arguments.names = {"cornell", "bunny", "sponza", "sponzamirror", "dyn70k", "dyn10k"};
+  std::vector<Result> results;
+  for (const std::string &name : arguments.names) {
+    const std::optional<FrameScene> scene = loadFrameScene(name, arguments.scenes);
+    if (!scene) {
+      std::printf("%s: skipped, its file is not in %s\n", name.c_str(), arguments.scenes.c_str());
+      continue;
+    }
+    for (const auto &[width, height] : arguments.sizes) {
+      for (const int threads : arguments.threads) {
+        if (threads == 1 && !scene->moving.empty()) continue;  // the peer rebuilds on two
+        measure(*scene, width, height, threads, arguments, soups, results);
+      }
+    }
+  }
+  std::printf("\n%s", markdownTable(results, false).c_str());
+  if (!arguments.json.empty()) writeJson(arguments.json, results, "ms");
+  std::filesystem::remove_all(soups);
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// scenes.h: the scenes of whole frames, as the Whitted renderer on Embree that they are compared with has them:
+// the same triangles, materials, light and camera.
+#pragma once
+
+#include "peers/soup.h"
+
+namespace rc::bench {
+
+struct Surface {
+  Vec3 colour{0.75f};
+  float specular = 0, shininess = 1, reflection = 0;
+};
+
+struct Mesh {
+  std::vector<Vec3> vertices;  // three a triangle
+  std::vector<Vec3> normals;   // one a vertex; none: flat
+  Surface surface;
+};
+
+struct FrameScene {
+  std::string name;
+  std::string peer;          // what the peer calls it
+  std::vector<Mesh> meshes;  // static
+  std::vector<Mesh> moving;  // drawn anew for each frame
+  Camera camera;
+  Vec3 light;
+};
+
+// "cornell", "bunny", "sponza", "sponzamirror", "dyn70k", "dyn10k". Nothing where a file is missing.
+std::optional<FrameScene> loadFrameScene(const std::string &name, const std::string &folder);
+
+// The moving mesh at a frame: turns about an axis and breathes.
+void deform(const Mesh &still, int frame, std::vector<Vec3> &vertices);
+
+// The files that the peer reads: a count, then nine floats a triangle.
+void writeSoups(const std::string &folder, const std::string &scenes);
+
+}  // namespace rc::bench

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "frames/stage.h"
+
+#include <EGL/egl.h>
+#include <RC/rcu.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+namespace rc::bench {
+namespace {
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - mStart).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point mStart = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Stage::Stage(const FrameScene &scene, int width, int height, int threads)
+    : mScene(scene), mWidth(width), mHeight(height) {
+  setenv("RAYCORE_THREADS", std::to_string(threads).c_str(), 1);
+  const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+  mDisplay = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  EGLConfig config;
+  EGLint count = 0;
+  if (!eglInitialize(mDisplay, nullptr, nullptr) || !eglChooseConfig(mDisplay, nullptr, &config, 1, &count) ||
+      !(mSurface = eglCreatePbufferSurface(mDisplay, config, size)) ||
+      !(mContext = eglCreateContext(mDisplay, config, EGL_NO_CONTEXT, nullptr)) ||
+      !eglMakeCurrent(mDisplay, mSurface, mSurface, mContext)) {
+    std::fprintf(stderr, "EGL error 0x%04X\n", unsigned(eglGetError()));
+    std::exit(1);
+  }
+  setUp();
+}
+
+Stage::~Stage() {
+  eglMakeCurrent(mDisplay, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(mDisplay, mContext);
+  eglDestroySurface(mDisplay, mSurface);
+}
+
+void Stage::setUp() {
+  const Camera &camera = mScene.camera;
+  const float position[] = {mScene.light.x, mScene.light.y, mScene.light.z, 1};
+  static const float ambient[] = {0.15f, 0.15f, 0.15f, 1}, white[] = {1, 1, 1, 1};
+  rcEnable(RC_LIGHTING);
+  rcEnable(RC_LIGHT0);
+  rcLightfv(RC_LIGHT0, RC_POSITION, position);
+  rcLightfv(RC_LIGHT0, RC_AMBIENT, ambient);
+  rcLightfv(RC_LIGHT0, RC_DIFFUSE, white);
+  rcLightfv(RC_LIGHT0, RC_SPECULAR, white);
+  rcClearColor(0.1f, 0.15f, 0.25f, 1);
+  rcuPerspective(camera.degrees, float(mWidth) / float(mHeight), 0.01f, 10000);
+  rcuLookAt(camera.eye.x, camera.eye.y, camera.eye.z, camera.at.x, camera.at.y, camera.at.z, 0, 1, 0);
+  rcDepthBounce(14);
+  rcStaticSceneBegin();
+  for (const Mesh &mesh : mScene.meshes) drawMesh(mesh, mesh.vertices, makeMaterial(mesh.surface));
+  rcStaticSceneEnd();
+  for (const Mesh &mesh : mScene.moving) mMovingMaterial = makeMaterial(mesh.surface);
+}
+
+RCuint Stage::makeMaterial(const Surface &surface) const {
+  RCuint name = 0;
+  rcGenMaterials(1, &name);
+  rcBindMaterial(name);
+  const auto grey = [](float value) { return std::array{value, value, value, 1.0f}; };
+  const float colour[] = {surface.colour.x, surface.colour.y, surface.colour.z, 1};
+  rcMaterialfv(RC_FRONT_AND_BACK, RC_AMBIENT_AND_DIFFUSE, colour);
+  rcMaterialfv(RC_FRONT_AND_BACK, RC_SPECULAR, grey(surface.specular).data());
+  rcMaterialf(RC_FRONT_AND_BACK, RC_SHININESS, surface.shininess);
+  rcMaterialfv(RC_FRONT_AND_BACK, RC_REFLECTION, grey(surface.reflection).data());
+  return name;
+}
+
+void Stage::drawMesh(const Mesh &mesh, const std::vector<Vec3> &vertices, RCuint material) const {
+  rcBindMaterial(material);
+  rcEnableClientState(RC_VERTEX_ARRAY);
+  rcVertexPointer(3, RC_FLOAT, 0, vertices.data());
+  if (!mesh.normals.empty()) {
+    rcEnableClientState(RC_NORMAL_ARRAY);
+    rcNormalPointer(RC_FLOAT, 0, mesh.normals.data());
+  }
+  rcDrawArrays(RC_TRIANGLES, 0, RCsizei(vertices.size()));
+  rcDisableClientState(RC_NORMAL_ARRAY);
+}
+
+FrameTimes Stage::draw(int frame) {
+  for (const Mesh &mesh : mScene.moving) deform(mesh, frame, mDeformed);
+  FrameTimes times;
+  const Stopwatch submitting;
+  for (const Mesh &mesh : mScene.moving) drawMesh(mesh, mDeformed, mMovingMaterial);
+  if (mScene.moving.empty()) rcClearColor(0.1f, 0.15f, frame % 2 ? 0.25f : 0.26f, 1);  // else nothing has changed
+  times.submit = submitting.milliseconds();
+  const Stopwatch finishing;
+  rcFinish();
+  times.finish = finishing.milliseconds();
+  return times;
+}
+
+double Stage::rays() const {
+  RCfloat rays = 0;
+  rcGetFloatv(RC_FRAME_RAYS, &rays);
+  return double(rays);
+}
+
+void Stage::save(const std::string &path) const {
+  std::vector<unsigned char> pixels(size_t(mWidth) * size_t(mHeight) * 4);
+  rcReadPixels(0, 0, mWidth, mHeight, RC_RGBA, RC_UNSIGNED_BYTE, pixels.data());
+  std::FILE *file = std::fopen(path.c_str(), "wb");
+  if (!file) return std::perror(path.c_str());
+  std::fprintf(file, "P6\n%d %d\n255\n", mWidth, mHeight);
+  for (int y = mHeight - 1; y >= 0; --y) {
+    for (int x = 0; x < mWidth; ++x) std::fwrite(&pixels[4 * (size_t(y) * size_t(mWidth) + size_t(x))], 1, 3, file);
+  }
+  std::fclose(file);
+}
+
+}  // namespace rc::bench

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// stage.h: a scene drawn through the public API into a pbuffer, frame by frame.
+#pragma once
+
+#include <RC/rc.h>
+
+#include "frames/scenes.h"
+
+namespace rc::bench {
+
+struct FrameTimes {
+  double submit = 0, finish = 0;  // milliseconds: the calls that draw; rcFinish, which builds and traces
+  double whole() const { return submit + finish; }
+};
+
+class Stage {
+ public:
+  // Ends the program if there is no context to be had.
+  Stage(const FrameScene &scene, int width, int height, int threads);
+  ~Stage();
+  Stage(const Stage &) = delete;
+  Stage &operator=(const Stage &) = delete;
+
+  FrameTimes draw(int frame);
+  double rays() const;                       // of the last frame
+  void save(const std::string &path) const;  // the picture, as PPM
+
+ private:
+  void setUp();
+  void drawMesh(const Mesh &mesh, const std::vector<Vec3> &vertices, RCuint material) const;
+  RCuint makeMaterial(const Surface &surface) const;
+
+  const FrameScene &mScene;
+  int mWidth, mHeight;
+  void *mDisplay = nullptr, *mContext = nullptr, *mSurface = nullptr;
+  RCuint mMovingMaterial = 0;
+  std::vector<Vec3> mDeformed;
+};
+
+}  // namespace rc::bench

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// rows.h: a vector of plain values that does not fill what it grows by: whoever resizes it writes the rows.
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace rc {
+
+template <class T>
+struct NoFill : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = NoFill<U>;
+  };
+
+  template <class U>
+  void construct(U *place) noexcept(std::is_nothrow_default_constructible_v<U>) {
+    ::new (static_cast<void *>(place)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U *place, Arguments &&...arguments) {
+    std::construct_at(place, std::forward<Arguments>(arguments)...);
+  }
+};
+
+template <class T>
+using Rows = std::vector<T, NoFill<T>>;
+
+}  // namespace rc

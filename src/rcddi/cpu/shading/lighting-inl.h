@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// lighting-inl.h: units/lighting.h for lanes: Phong's model, a light at a time.
+// In: LightRow, SurfaceLanes, colours.  Out: colours, and questions about shadow into the light's queue.
+// Next: shade-inl.h
+#if defined(RAYCORE_SHADING_LIGHTING_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_SHADING_LIGHTING_INL
+#undef RAYCORE_SHADING_LIGHTING_INL
+#else
+#define RAYCORE_SHADING_LIGHTING_INL
+#endif
+
+#include "rcddi/cpu/shading/surface-inl.h"
+#include "rchal/units/lighting.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+// What the lights meet; weight is what the pixel gets of it.
+struct ColourLanes {
+  V3 ambient, diffuse;
+  V3 weight;
+};
+
+HWY_INLINE F spotFactor(const hal::LightRow &light, const V3 &direction) {
+  if (!light.spot) return all(1);
+  const F cosine = dot(-direction, all(light.spotDirection));
+  const F s = hn::Div(hn::Sub(cosine, all(light.cosOuter)), all(light.cosInner - light.cosOuter));
+  const F step = hn::Mul(hn::Mul(s, s), hn::Sub(all(3), hn::Mul(all(2), s)));
+  const F edge = select(hn::Lt(cosine, all(light.cosInner)), step, all(1));
+  const F factor = hn::Mul(edge, powOf(hn::Max(cosine, zero()), all(light.spotExponent)));
+  return onlyWhere(hn::Ge(cosine, all(light.cosOuter)), factor);
+}
+
+HWY_INLINE F attenuation(const hal::LightRow &light, F distance) {
+  if (light.directional) return all(1);
+  const F polynomial = hn::Add(all(light.linear), hn::Mul(distance, all(light.quadratic)));
+  const F divisor = hn::Add(all(light.constant), hn::Mul(distance, polynomial));
+  const F factor = select(hn::Gt(divisor, zero()), hn::Div(all(1), divisor), all(1));
+  if (light.rangeEnd <= light.rangeStart) return factor;
+  const F left = hn::Div(hn::Sub(all(light.rangeEnd), distance), all(light.rangeEnd - light.rangeStart));
+  return hn::Mul(factor, hn::Min(hn::Max(left, zero()), all(1)));
+}
+
+HWY_INLINE bool isDark(const Rgb &colour) { return !(rc::maxComponent(colour) > 0); }
+
+HWY_INLINE size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour,
+                                 U pixel, M asked, hal::ShadowQueue &queue) {
+  const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
+  append(start(surface, direction), asked, end, queue.origin);
+  append(direction, asked, end, queue.direction);
+  append(colour, asked, end, queue.colour);
+  append(distance, asked, end, queue.distance);
+  append(pixel, asked, end, queue.pixel);
+  queue.resize(end + count);
+  return count;
+}
+
+// Adds the light to `own` where no shadow can be; asks its queue elsewhere. Returns how many shadow rays that made.
+HWY_INLINE size_t addLight(const hal::LightRow &light, bool shadows, const hal::MaterialRow &material,
+                           const SurfaceLanes &surface, const V3 &view, const ColourLanes &colours, M shaded, U pixel,
+                           hal::ShadowQueue &queue, V3 &own) {
+  const V3 towards = light.directional ? all(light.position) : all(light.position) - surface.position;
+  const F distance = light.directional ? all(kInfinity) : length(towards);
+  const V3 direction = light.directional ? towards : normalizedOr(towards, distance, surface.normal);
+  const F strength = hn::Mul(attenuation(light, distance), spotFactor(light, direction));
+  if (!isDark(light.ambient)) {
+    own = own + colours.weight * ((strength * colours.ambient) * all(light.ambient));
+  }
+  const F cosine = dot(surface.normal, direction);
+  const M facing = hn::And(shaded, hn::Gt(cosine, zero()));
+  if (none(facing)) return 0;
+  V3 direct = colours.diffuse * all(light.diffuse);
+  const Rgb highlight = material.specular * light.specular;
+  if (!isDark(highlight)) {
+    const V3 mirrored = hn::Mul(all(2), cosine) * surface.normal - direction;
+    const F power = powOf(hn::Max(dot(mirrored, view), zero()), all(material.shininess));
+    direct = direct + power * all(highlight);
+  }
+  direct = colours.weight * (hn::Mul(strength, cosine) * direct);
+  const M lit = hn::And(facing, hn::Gt(maxComponent(direct), zero()));
+  if (none(lit)) return 0;
+  if (shadows && light.castsShadow) return pushShadowRays(surface, direction, distance, direct, pixel, lit, queue);
+  own = own + onlyWhere(lit, direct);
+  return 0;
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

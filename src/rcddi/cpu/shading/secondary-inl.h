@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// secondary-inl.h: the rays that hits ask for: straight on, reflected, refracted. (units/shading.h)
+// In: RayLanes, SurfaceLanes.  Out: RayQueues.  Next: rchal/frame.h
+#if defined(RAYCORE_SHADING_SECONDARY_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_SHADING_SECONDARY_INL
+#undef RAYCORE_SHADING_SECONDARY_INL
+#else
+#define RAYCORE_SHADING_SECONDARY_INL
+#endif
+
+#include "rcddi/cpu/shading/surface-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+// A ray for each lane of the mask; the queue has room for a vector. Returns how many.
+HWY_INLINE size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight, F coneWidth, F coneSpread,
+                           F travelled, U pixel, M asked, hal::RayQueue &queue) {
+  const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
+  append(origin, asked, end, queue.origin);
+  append(direction, asked, end, queue.direction);
+  append(weight, asked, end, queue.weight);
+  append(coneWidth, asked, end, queue.coneWidth);
+  append(coneSpread, asked, end, queue.coneSpread);
+  append(travelled, asked, end, queue.travelled);
+  append(pixel, asked, end, queue.pixel);
+  hn::StoreU(zero(), FTag(), queue.afterT.data() + end);
+  hn::StoreU(hn::Set(UTag(), hal::kNoPrimitive), UTag(), queue.afterPrimitive.data() + end);
+  hn::StoreU(hn::Zero(UTag()), UTag(), queue.afterSeen.data() + end);
+  queue.resize(end + count);
+  return count;
+}
+
+// The same rays, for what lies behind these hits. weight: what is left for them.
+HWY_INLINE void goStraightOn(const Shading &shading, const RayLanes &rays, const V3 &weight, M seen, M asked) {
+  const hal::RayQueue &from = shading.rays;
+  hal::RayQueue &queue = shading.out.sameBounce;
+  const size_t end = queue.size();
+  const size_t count =
+      pushRays(load(from.origin, rays.first), rays.direction, weight, load(from.coneWidth, rays.first),
+               load(from.coneSpread, rays.first), load(from.travelled, rays.first), rays.pixel, asked, queue);
+  const U one = hn::Set(UTag(), 1);
+  append(rays.t, asked, end, queue.afterT);
+  append(rays.primitive, asked, end, queue.afterPrimitive);
+  append(hn::IfThenElseZero(hn::RebindMask(UTag(), seen), one), asked, end, queue.afterSeen);
+  shading.out.counts.straight += count;
+}
+
+// Lanes whose secondary rays are worth tracing.
+HWY_INLINE M worthTracing(const hal::SceneView &scene, const V3 &weight, M asked) {
+  const F strongest = maxComponent(weight);
+  return hn::And(asked, hn::And(hn::Gt(strongest, zero()), hn::Ge(strongest, all(scene.minWeight))));
+}
+
+class Secondary {
+ public:
+  HWY_INLINE Secondary(const Shading &shading, const RayLanes &rays, const SurfaceLanes &surface, M asked)
+      : mShading(shading),
+        mRays(rays),
+        mSurface(surface),
+        mTravelled(hn::Add(load(shading.rays.travelled, rays.first), rays.t)),
+        mCurvature(shading.cones ? curvature(surface, asked) : zero()) {}
+
+  HWY_INLINE void reflect(const V3 &weight, M asked) const {
+    const M traced = worthTracing(mShading.scene, weight, asked);
+    if (none(traced)) return;
+    const V3 &d = mRays.direction;
+    V3 mirrored = d - hn::Mul(all(2), dot(d, mSurface.normal)) * mSurface.normal;
+    const F height = dot(mirrored, mSurface.flatNormal);
+    const V3 led = mirrored + hn::Sub(all(1e-3f), height) * mSurface.flatNormal;
+    mirrored = select(hn::Le(height, zero()), led, mirrored);
+    const F turn = hn::Mul(hn::Mul(all(2), mCurvature), mRays.coneWidth);
+    mShading.out.counts.reflected += bounce(weight, mirrored, hn::Add(mRays.coneSpread, turn), traced);
+  }
+
+  // eta: index before / index behind; root: the square root of Snell's law.
+  HWY_INLINE void refract(const V3 &weight, F eta, F cosine, F root, M asked) const {
+    const M traced = worthTracing(mShading.scene, weight, asked);
+    if (none(traced)) return;
+    V3 bent = eta * mRays.direction + hn::Sub(hn::Mul(eta, cosine), root) * mSurface.normal;
+    const F depth = dot(bent, mSurface.flatNormal);
+    const V3 led = bent - hn::Add(depth, all(1e-3f)) * mSurface.flatNormal;
+    bent = select(hn::Ge(depth, zero()), led, bent);
+    const F turn = hn::Mul(hn::Mul(hn::Sub(eta, all(1)), mCurvature), mRays.coneWidth);
+    mShading.out.counts.refracted += bounce(weight, bent, hn::Add(hn::Mul(eta, mRays.coneSpread), turn), traced);
+  }
+
+ private:
+  HWY_INLINE size_t bounce(const V3 &weight, const V3 &direction, F coneSpread, M traced) const {
+    const V3 unit = normalizedOr(direction, mSurface.flatNormal);
+    return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mRays.pixel, traced,
+                    mShading.out.nextBounce);
+  }
+
+  const Shading &mShading;
+  const RayLanes &mRays;
+  const SurfaceLanes &mSurface;
+  F mTravelled, mCurvature;
+};
+
+// weight: of what arrives at the surface.
+HWY_INLINE void reflectAndRefract(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
+                                  const SurfaceLanes &surface, const V3 &weight, M shaded) {
+  const bool mirrors = rc::maxComponent(material.reflection) > 0, bends = rc::maxComponent(material.transmittance) > 0;
+  if (!mirrors && !bends) return;
+  const Secondary secondary(shading, rays, surface, shaded);
+  const V3 reflected = weight * all(material.reflection);
+  if (!bends) return secondary.reflect(reflected, shaded);
+  const V3 refracted = weight * all(material.transmittance);
+  const F eta = select(surface.front, all(1 / material.refractionIndex), all(material.refractionIndex));
+  const F cosine = hn::Neg(dot(rays.direction, surface.normal));
+  const F sine2 = hn::Sub(all(1), hn::Mul(cosine, cosine));
+  const F k = hn::Sub(all(1), hn::Mul(hn::Mul(eta, eta), sine2));
+  const M total = hn::Lt(k, zero());
+  secondary.reflect(select(total, reflected + refracted, reflected), shaded);
+  secondary.refract(refracted, eta, cosine, hn::Sqrt(hn::Max(k, zero())), hn::AndNot(total, shaded));
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// shade-inl.h: units/shading.h for lanes: the hits of a batch, a vector at a time, in it one kind after the other, so
+// that everything which a material decides is decided once.
+// In: SceneView, RayQueue, HitQueue.  Out: sums of pixels, ShadowQueues by light, RayQueues.  Next: rchal/frame.h
+#if defined(RAYCORE_SHADING_SHADE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_SHADING_SHADE_INL
+#undef RAYCORE_SHADING_SHADE_INL
+#else
+#define RAYCORE_SHADING_SHADE_INL
+#endif
+
+#include "rcddi/cpu/shading/lighting-inl.h"
+#include "rcddi/cpu/shading/secondary-inl.h"
+#include "rcddi/cpu/shading/texture-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+// The lanes of a vector whose hits need the same: one material, the same flags.
+struct Kind {
+  M lanes;
+  const hal::MaterialRow *material;
+  uint32_t flags;
+
+  bool hasTexture() const { return material->texture != hal::kNoTexture; }
+  bool hasNormalMap() const { return flags & hal::kTangentFrame && material->normalMap != hal::kNoTexture; }
+};
+
+// The kind of one lane, and all lanes of `open` that are of it.
+HWY_INLINE Kind kindOf(const Shading &shading, const SurfaceLanes &surface, M open) {
+  alignas(64) uint32_t materials[kMostLanes], flags[kMostLanes], sets[kMostLanes];
+  const UTag du;
+  hn::Store(surface.material, du, materials);
+  hn::Store(surface.flags, du, flags);
+  hn::Store(surface.set, du, sets);
+  const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bitsOf(FTag(), open));
+  const auto same = [&](U values, uint32_t value) HWY_ATTR { return hn::Eq(values, hn::Set(du, value)); };
+  const auto alike = hn::And(same(surface.material, materials[lane]),
+                             hn::And(same(surface.flags, flags[lane]), same(surface.set, sets[lane])));
+  const hal::GeometryView &geometry = shading.scene.geometry[sets[lane]];
+  const hal::HotTriangle triangle{{}, {}, {}, materials[lane], flags[lane], 0};
+  return {hn::And(open, hn::RebindMask(FTag(), alike)), &hal::materialOf(shading.scene, geometry, triangle),
+          flags[lane]};
+}
+
+HWY_INLINE F fogTransmission(const hal::Fog &fog, F distance) {
+  const F density = hn::Mul(all(fog.density), distance);
+  switch (fog.mode) {
+    case hal::FogMode::Off:
+      break;
+    case hal::FogMode::Linear: {
+      if (fog.start == fog.end) return onlyWhere(hn::Lt(distance, all(fog.end)), all(1));
+      const F left = hn::Div(hn::Sub(all(fog.end), distance), all(fog.end - fog.start));
+      return hn::Min(hn::Max(left, zero()), all(1));
+    }
+    case hal::FogMode::Exp:
+      return exp2Of(hn::Mul(all(-hal::kLog2E), density));
+    case hal::FogMode::Exp2:
+      return exp2Of(hn::Mul(all(-hal::kLog2E), hn::Mul(density, density)));
+  }
+  return all(1);
+}
+
+// units/fog.h: takes the rays to their hits.
+HWY_INLINE void passFog(const Shading &shading, RayLanes &rays, M straight) {
+  const hal::Fog &fog = shading.scene.fog;
+  const F travelled = load(shading.rays.travelled, rays.first);
+  const F afterT = load(shading.rays.afterT, rays.first);
+  const F before = hn::Max(hn::Add(travelled, afterT), zero()), behind = hn::Max(hn::Add(travelled, rays.t), zero());
+  const M later = shading.out.bounces == 0 ? straight : rays.found;
+  const F atStart = select(later, fogTransmission(fog, before), all(1));
+  const F share = hn::Min(hn::Div(fogTransmission(fog, behind), atStart), all(1));
+  const F left = onlyWhere(hn::Gt(atStart, zero()), share);
+  addToPixels((hn::Sub(all(1), left) * rays.weight) * all(fog.color), rays.found, rays.pixel, shading.out.sums);
+  rays.weight = left * rays.weight;
+}
+
+HWY_INLINE F passesAlphaTest(uint32_t flags, F opacity) {
+  const uint32_t code = (flags & hal::kAlphaTestMask) >> hal::kAlphaTestShift;
+  if (code == 0) return all(1);
+  if (code == hal::kAlphaNever) return zero();
+  const F level = hn::Floor(hn::Add(hn::Mul(opacity, all(255)), all(0.5f)));
+  const F reference = all(static_cast<float>(flags >> hal::kAlphaReferenceShift & 255));
+  F passes = zero();
+  if (code & hal::kAlphaLess) passes = select(hn::Lt(level, reference), all(1), passes);
+  if (code & hal::kAlphaEqual) passes = select(hn::Eq(level, reference), all(1), passes);
+  if (code & hal::kAlphaGreater) passes = select(hn::Gt(level, reference), all(1), passes);
+  return passes;
+}
+
+// units/coverage.h. opacity: of the texels.
+HWY_INLINE F coverage(uint32_t flags, const SurfaceLanes &surface, F opacity) {
+  F there = hn::Mul(opacity, passesAlphaTest(flags, opacity));
+  if (flags & hal::kCullFront) there = select(surface.front, zero(), there);
+  if (flags & hal::kCullBack) there = onlyWhere(surface.front, there);
+  return there;
+}
+
+// A surface whose other triangle was seen already, at the common edge, is not seen again.
+HWY_NOINLINE inline F withoutSeen(const Shading &shading, size_t first, uint32_t lanesAsked, F there) {
+  alignas(64) float lanesThere[kMostLanes];
+  hn::Store(there, FTag(), lanesThere);
+  while (lanesAsked) {
+    const size_t lane = nextBit(lanesAsked), at = first + lane;
+    if (!shading.rays.afterSeen[at]) continue;
+    if (hal::isSameSurface(shading.scene, shading.rays.after(at), shading.hits[at])) lanesThere[lane] = 0;
+  }
+  return hn::Load(FTag(), lanesThere);
+}
+
+// What a texel makes of a colour of the material. [OpenGL ES 1.1, 3.7.12]
+HWY_INLINE V3 textured(const hal::MaterialRow &material, const Rgb &colour, const TexelLanes &texel, F alpha) {
+  const V3 plain = all(colour);
+  switch (material.textureEnv) {
+    case hal::TextureEnv::Replace:
+      break;
+    case hal::TextureEnv::Modulate:
+      return plain * texel.rgb;
+    case hal::TextureEnv::Decal:
+      return mix(plain, texel.rgb, alpha);
+    case hal::TextureEnv::Blend: {
+      const V3 other = all(material.textureEnvColor);
+      return {mix(plain.x, other.x, texel.rgb.x), mix(plain.y, other.y, texel.rgb.y),
+              mix(plain.z, other.z, texel.rgb.z)};
+    }
+    case hal::TextureEnv::Add: {
+      const V3 sum = plain + texel.rgb;
+      return {hn::Min(sum.x, all(1)), hn::Min(sum.y, all(1)), hn::Min(sum.z, all(1))};
+    }
+  }
+  return texel.rgb;
+}
+
+HWY_INLINE V3 bentNormals(const Shading &shading, const Kind &kind, const RayLanes &rays, const SurfaceLanes &surface) {
+  const TexelLanes texel =
+      sample(shading.scene, rays, surface, kind.lanes, kind.material->normalMap, kind.material->normalWrap);
+  const V3 local = all(2) * texel.rgb - all(Vec3(1));
+  V3 frame[3];
+  for (size_t i = 0; i < 3; ++i) frame[i] = corner(surface.attributes, kNormalOffset, i);
+  const V3 bent = local.x * frame[0] + local.y * frame[1] + local.z * frame[2];
+  const M turned = hn::Lt(dot(frame[2], surface.flatNormal), zero());  // the ray came from behind
+  return normalizedOr(negateWhere(turned, bent), surface.flatNormal);
+}
+
+// The surface's own colour: what it sends out, and what the lights make of it.
+HWY_INLINE void shadeLocal(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
+                           const SurfaceLanes &surface, const ColourLanes &colours, M shaded) {
+  const hal::SceneView &scene = shading.scene;
+  const M local = hn::And(shaded, hn::Gt(maxComponent(colours.weight), zero()));
+  if (none(local)) return;
+  V3 own = colours.weight * (all(material.emission) + all(scene.globalAmbient) * colours.ambient);
+  const V3 view = -rays.direction;
+  for (size_t i = 0; i < scene.lights.size(); ++i) {
+    shading.out.counts.shadow += addLight(scene.lights[i], scene.shadows, material, surface, view, colours, local,
+                                          rays.pixel, shading.out.shadows[i], own);
+  }
+  addToPixels(own, local, rays.pixel, shading.out.sums);
+}
+
+HWY_INLINE void shadeSurface(const Shading &shading, const Kind &kind, const RayLanes &rays,
+                             const SurfaceLanes &surface, const TexelLanes &texel, const V3 &weight, M shaded) {
+  const hal::MaterialRow &material = *kind.material;
+  if (kind.hasTexture() && kind.flags & hal::kTextureOnly) {
+    return addToPixels(weight * texel.rgb, shaded, rays.pixel, shading.out.sums);
+  }
+  ColourLanes colours{all(material.ambient), all(material.diffuse), weight};
+  if (kind.hasTexture()) {
+    const F alpha = shading.scene.textures[size_t(material.texture)].hasAlpha ? texel.alpha : all(1);
+    colours.ambient = textured(material, material.ambient, texel, alpha);
+    colours.diffuse = textured(material, material.diffuse, texel, alpha);
+  }
+  if (kind.flags & hal::kHasColors) {
+    colours.ambient = surface.color * colours.ambient;
+    colours.diffuse = surface.color * colours.diffuse;
+  }
+  if (!shading.last) colours.weight = weight * all(Rgb(1) - material.reflection - material.transmittance);
+  shadeLocal(shading, material, rays, surface, colours, shaded);
+  if (!shading.last) reflectAndRefract(shading, material, rays, surface, weight, shaded);
+}
+
+// The lanes of one kind. straight: rays that went on behind an earlier hit.
+HWY_INLINE void shadeKind(const Shading &shading, const Kind &kind, const RayLanes &rays, SurfaceLanes &surface,
+                          M straight) {
+  const hal::MaterialRow &material = *kind.material;
+  TexelLanes texel;
+  F there = all(1);
+  if (kind.hasTexture()) {
+    texel = sample(shading.scene, rays, surface, kind.lanes, material.texture, material.textureWrap);
+    const float opaque = shading.scene.textures[size_t(material.texture)].opaqueAlpha;
+    if (material.textureEnv != hal::TextureEnv::Decal) {
+      there = hn::Min(hn::Div(hn::Mul(texel.alpha, all(255)), all(opaque)), all(1));
+    }
+  }
+  there = coverage(kind.flags, surface, there);
+  const M again = hn::And(straight, kind.lanes);
+  if (!none(again)) there = withoutSeen(shading, rays.first, bitsOf(FTag(), again), there);
+  if (kind.hasNormalMap())
+    surface.normal = select(kind.lanes, bentNormals(shading, kind, rays, surface), surface.normal);
+
+  const M missing = hn::And(kind.lanes, hn::Lt(there, all(1)));
+  if (none(missing)) return shadeSurface(shading, kind, rays, surface, texel, rays.weight, kind.lanes);
+  goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, hn::Gt(there, zero()), missing);
+  const V3 weight = there * rays.weight;
+  const M shaded = hn::And(kind.lanes, hn::Gt(maxComponent(weight), zero()));
+  if (!none(shaded)) shadeSurface(shading, kind, rays, surface, texel, weight, shaded);
+}
+
+// One vector of rays.
+HWY_INLINE void shadeVector(const Shading &shading, size_t first) {
+  const M valid = hn::FirstN(FTag(), std::min(lanes(), shading.rays.size() - first));
+  RayLanes rays = loadRays(shading, first, valid);
+  const M missed = hn::AndNot(rays.found, valid);
+  if (!none(missed)) {
+    addToPixels(rays.weight * all(shading.scene.clearColor), missed, rays.pixel, shading.out.sums);
+    if (none(rays.found)) return;
+  }
+  const U after = load(shading.rays.afterPrimitive, first);
+  const M fresh = hn::RebindMask(FTag(), hn::Eq(after, hn::Set(UTag(), hal::kNoPrimitive)));
+  const M straight = hn::AndNot(fresh, rays.found);
+  if (shading.out.bounces == 0) {
+    shading.out.counts.primaryHits += hn::CountTrue(FTag(), hn::And(fresh, rays.found));
+  }
+  if (shading.scene.fog.mode != hal::FogMode::Off) passFog(shading, rays, straight);
+  SurfaceLanes surface;
+  surfaceOf(shading, rays, surface);
+  for (M open = rays.found; !none(open);) {
+    const Kind kind = kindOf(shading, surface, open);
+    shadeKind(shading, kind, rays, surface, straight);
+    open = hn::AndNot(kind.lanes, open);
+  }
+}
+
+HWY_INLINE void makeRoom(const Shading &shading) {
+  const size_t count = shading.rays.size();
+  const hal::Outputs &out = shading.out;
+  out.nextBounce.reserve(out.nextBounce.size() + 2 * count);
+  out.sameBounce.reserve(out.sameBounce.size() + count);
+  for (size_t i = 0; i < shading.scene.lights.size(); ++i) out.shadows[i].reserve(out.shadows[i].size() + count);
+}
+
+HWY_INLINE void shadeBatch(const Shading &shading) {
+  makeRoom(shading);
+  for (size_t first = 0; first < shading.rays.size(); first += lanes()) shadeVector(shading, first);
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

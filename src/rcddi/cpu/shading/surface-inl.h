@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// surface-inl.h: units/hit_point.h and units/ray_cone.h for lanes: from hits to points on surfaces.
+// In: RayQueue, HitQueue, where the vector begins.  Out: RayLanes, SurfaceLanes.  Next: texture-inl.h, lighting-inl.h
+#if defined(RAYCORE_SHADING_SURFACE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_SHADING_SURFACE_INL
+#undef RAYCORE_SHADING_SURFACE_INL
+#else
+#define RAYCORE_SHADING_SURFACE_INL
+#endif
+
+#include "rcddi/cpu/shading/elementary-inl.h"
+#include "rchal/units/shading.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+// What all vectors of a batch need to know of the frame.
+struct Shading {
+  const hal::SceneView &scene;
+  const hal::RayQueue &rays;
+  const hal::HitQueue &hits;
+  const hal::Outputs &out;
+  bool last;   // of the generations: surfaces show their own colour only
+  bool cones;  // somebody asks for the width of rays
+};
+
+// Rays of a queue, and what they hit.
+struct RayLanes {
+  size_t first;  // place in the queue
+  M found;       // lanes that hit something; what the others hold means nothing
+  V3 direction, weight;
+  U pixel;
+  F t, u, v;
+  U primitive;              // through both sets
+  F coneWidth, coneSpread;  // at the hit
+};
+
+// The floats of a triangle, and of its attributes, where each lane finds them. Lanes without a hit look at another
+// one's triangle.
+struct TrianglePlaces {
+  const float *triangle[kMostLanes], *attributes[kMostLanes];
+  bool one;  // all lanes have one triangle
+};
+
+// The attributes of triangles as rows of four floats, those that somebody asks for.
+struct AttributeLanes {
+  F floats[sizeof(hal::TriangleAttributes) / sizeof(float)];
+};
+constexpr size_t kNormalOffset = offsetof(hal::TriangleAttributes, normal) / sizeof(float);
+constexpr size_t kUvOffset = offsetof(hal::TriangleAttributes, uv) / sizeof(float);
+constexpr size_t kColorOffset = offsetof(hal::TriangleAttributes, color) / sizeof(float);
+
+struct SurfaceLanes {
+  U material, flags, set;  // set: 1 for dynamic triangles
+  V3 vertices[3];
+  V3 edges;  // cross product of two: its length is twice the area
+  V3 position, flatNormal, normal, color;
+  F safeOffset;
+  F s, t;  // texture coordinates
+  M front;
+  AttributeLanes attributes;
+};
+
+HWY_INLINE M hasFlag(U flags, uint32_t flag) {
+  return hn::RebindMask(FTag(), hn::Ne(hn::And(flags, hn::Set(UTag(), flag)), hn::Zero(UTag())));
+}
+
+HWY_INLINE V3 start(const SurfaceLanes &surface, const V3 &direction) {
+  const M inwards = hn::Lt(dot(direction, surface.flatNormal), zero());
+  const F offset = select(inwards, hn::Neg(surface.safeOffset), surface.safeOffset);
+  return surface.position + offset * surface.flatNormal;
+}
+
+// Lanes behind the end of the queue count as rays without a hit.
+HWY_INLINE RayLanes loadRays(const Shading &shading, size_t first, M valid) {
+  RayLanes out;
+  const hal::RayQueue &rays = shading.rays;
+  F primitive;
+  hn::LoadInterleaved4(FTag(), &shading.hits[first].t, out.t, out.u, out.v, primitive);
+  out.first = first;
+  out.primitive = hn::BitCast(UTag(), primitive);
+  const auto hit = hn::Ne(out.primitive, hn::Set(UTag(), hal::kNoPrimitive));
+  out.found = hn::And(valid, hn::RebindMask(FTag(), hit));
+  out.weight = load(rays.weight, first);
+  out.pixel = load(rays.pixel, first);
+  out.direction = load(rays.direction, first);
+  out.coneWidth = out.coneSpread = zero();
+  if (!shading.cones) return out;
+  const F spread = load(rays.coneSpread, first);
+  const F width = hn::Add(load(rays.coneWidth, first), hn::Mul(spread, out.t));
+  out.coneWidth = hn::Abs(width);  // behind a focus the cone widens again
+  out.coneSpread = select(hn::Lt(width, zero()), hn::Neg(spread), spread);
+  return out;
+}
+
+// found: not empty.
+HWY_INLINE void findTriangles(const hal::SceneView &scene, const RayLanes &rays, TrianglePlaces &out) {
+  alignas(64) uint32_t primitives[kMostLanes];
+  uint32_t bits = bitsOf(FTag(), rays.found);
+  const size_t someLane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+  hn::Store(rays.primitive, UTag(), primitives);
+  const uint32_t some = primitives[someLane];
+  hn::Store(hn::IfThenElse(hn::RebindMask(UTag(), rays.found), rays.primitive, hn::Set(UTag(), some)), UTag(),
+            primitives);
+  const auto same = hn::Or(hn::RebindMask(UTag(), hn::Not(rays.found)), hn::Eq(rays.primitive, hn::Set(UTag(), some)));
+  out.one = hn::AllTrue(UTag(), same);
+  const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
+  for (size_t i = 0; i < (out.one ? 1 : lanes()); ++i) {
+    const bool dynamic = primitives[i] >= firstDynamic;
+    const hal::GeometryView &geometry = scene.geometry[dynamic];
+    const size_t index = primitives[i] - (dynamic ? firstDynamic : 0);
+    out.triangle[i] = reinterpret_cast<const float *>(geometry.triangles.data() + index);
+    out.attributes[i] = reinterpret_cast<const float *>(geometry.attributes.data() + index);
+  }
+}
+
+HWY_INLINE void loadRow(const float *const (&places)[kMostLanes], bool one, size_t offset, F *out) {
+  if (!one) return loadRow(places, offset, out);
+  for (size_t k = 0; k < 4; ++k) out[k] = all(places[0][offset + k]);
+}
+
+HWY_INLINE void loadTriangles(const Shading &shading, const RayLanes &rays, const TrianglePlaces &places,
+                              SurfaceLanes &out) {
+  F row[12];
+  for (size_t offset = 0; offset < 12; offset += 4) loadRow(places.triangle, places.one, offset, row + offset);
+  for (size_t k = 0; k < 3; ++k) out.vertices[k] = {row[3 * k], row[3 * k + 1], row[3 * k + 2]};
+  const UTag du;
+  out.material = hn::BitCast(du, row[9]);
+  out.flags = hn::BitCast(du, row[10]);
+  const U firstDynamic = hn::Set(du, static_cast<uint32_t>(shading.scene.geometry[0].triangles.size()));
+  out.set = hn::IfThenZeroElse(hn::Lt(rays.primitive, firstDynamic), hn::Set(du, 1));
+  // Attributes of 4 k ... 4 k + 3.
+  const auto attributes = [&](size_t begin, size_t end) HWY_ATTR {
+    for (size_t k = begin / 4 * 4; k < end; k += 4) {
+      loadRow(places.attributes, places.one, k, out.attributes.floats + k);
+    }
+  };
+  if (!none(hn::And(rays.found, hasFlag(out.flags, hal::kHasNormals | hal::kTangentFrame)))) {
+    attributes(kNormalOffset, kNormalOffset + 9);
+  }
+  if (!shading.scene.textures.empty()) attributes(kUvOffset, kUvOffset + 6);
+  if (!none(hn::And(rays.found, hasFlag(out.flags, hal::kHasColors)))) attributes(kColorOffset, kColorOffset + 9);
+}
+
+// A vector that the corners of triangles have: its place in the attributes.
+HWY_INLINE V3 corner(const AttributeLanes &attributes, size_t offset, size_t which) {
+  const F *first = attributes.floats + offset + 3 * which;
+  return {first[0], first[1], first[2]};
+}
+HWY_INLINE V3 interpolated(const AttributeLanes &attributes, size_t offset, F w0, F w1, F w2) {
+  return w0 * corner(attributes, offset, 0) + w1 * corner(attributes, offset, 1) + w2 * corner(attributes, offset, 2);
+}
+
+// One texture coordinate of the corners: axis 0 is s, 1 is t.
+struct CornerValues {
+  F a, b, c;
+};
+HWY_INLINE CornerValues cornerCoordinates(const AttributeLanes &attributes, size_t axis) {
+  const F *first = attributes.floats + kUvOffset + axis;
+  return {first[0], first[2], first[4]};
+}
+HWY_INLINE F interpolated(const CornerValues &values, F w0, F w1, F w2) {
+  return hn::Add(hn::Add(hn::Mul(w0, values.a), hn::Mul(w1, values.b)), hn::Mul(w2, values.c));
+}
+
+HWY_INLINE void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceLanes &out) {
+  TrianglePlaces places;
+  findTriangles(shading.scene, rays, places);
+  loadTriangles(shading, rays, places, out);
+  const auto &[v0, v1, v2] = out.vertices;
+  const F w0 = hn::Sub(hn::Sub(all(1), rays.u), rays.v), w1 = rays.u, w2 = rays.v;
+  const V3 p0 = w0 * v0, p1 = w1 * v1, p2 = w2 * v2;
+  out.position = p0 + p1 + p2;
+  out.edges = cross(v1 - v0, v2 - v0);
+  const V3 geometric = normalizedOr(out.edges, -rays.direction);
+  const M counterClockwise = hn::Lt(dot(geometric, rays.direction), zero());
+  out.front = hn::Xor(counterClockwise, hasFlag(out.flags, hal::kClockwiseFront));
+  out.flatNormal = select(counterClockwise, geometric, -geometric);
+  const auto size = [](F a, F b, F c) HWY_ATTR { return hn::Add(hn::Add(hn::Abs(a), hn::Abs(b)), hn::Abs(c)); };
+  const V3 sizes{size(p0.x, p1.x, p2.x), size(p0.y, p1.y, p2.y), size(p0.z, p1.z, p2.z)};
+  out.safeOffset = hn::Mul(all(hal::kPositionError), maxComponent(sizes));
+
+  out.normal = out.flatNormal;
+  const M hasNormals = hn::And(rays.found, hasFlag(out.flags, hal::kHasNormals));
+  if (!none(hasNormals)) {
+    const V3 smooth = normalizedOr(interpolated(out.attributes, kNormalOffset, w0, w1, w2), out.flatNormal);
+    const V3 towards = negateWhere(hn::Lt(dot(smooth, out.flatNormal), zero()), smooth);
+    out.normal = select(hasNormals, towards, out.flatNormal);
+  }
+  const M hasColors = hn::And(rays.found, hasFlag(out.flags, hal::kHasColors));
+  if (!none(hasColors)) out.color = interpolated(out.attributes, kColorOffset, w0, w1, w2);
+  if (!shading.scene.textures.empty()) {
+    out.s = interpolated(cornerCoordinates(out.attributes, 0), w0, w1, w2);
+    out.t = interpolated(cornerCoordinates(out.attributes, 1), w0, w1, w2);
+  }
+}
+
+HWY_INLINE F curvature(const SurfaceLanes &surface, M asked) {
+  const M smooth = hn::And(asked, hasFlag(surface.flags, hal::kHasNormals));
+  if (none(smooth)) return zero();
+  F sum = zero();
+  for (size_t i = 0; i < 3; ++i) {
+    const size_t next = (i + 1) % 3;
+    const V3 edge = surface.vertices[next] - surface.vertices[i];
+    const V3 turn = corner(surface.attributes, kNormalOffset, next) - corner(surface.attributes, kNormalOffset, i);
+    sum = hn::Add(sum, hn::Div(dot(turn, edge), dot(edge, edge)));
+  }
+  const M turned = hn::Lt(dot(corner(surface.attributes, kNormalOffset, 0), surface.flatNormal), zero());
+  return onlyWhere(smooth, hn::Div(select(turned, hn::Neg(sum), sum), all(3)));
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "rcddi/cpu/units.h"
+
+#include "rcddi/cpu/trace.h"
+#include "rchal/units/shadow.h"
+
+namespace rc::ddi::cpu {
+
+using namespace rc::hal;
+
+namespace {
+
+RayStream streamOf(const Vec3Column &origin, const Vec3Column &direction, size_t count) {
+  return {{origin.x.data(), origin.y.data(), origin.z.data()},
+          {direction.x.data(), direction.y.data(), direction.z.data()},
+          count};
+}
+
+}  // namespace
+
+void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, HitQueue &hits) {
+  cpu::closestHits(scene, streamOf(rays.origin, rays.direction, rays.size()), hits.data());
+  // The few that go on behind a hit ask the scalar unit.
+  uint32_t after = kNoPrimitive;
+  for (size_t i = 0; i < rays.size(); ++i) after &= rays.afterPrimitive[i];
+  if (after == kNoPrimitive) return;
+  for (size_t i = 0; i < rays.size(); ++i) {
+    if (rays.afterPrimitive[i] != kNoPrimitive) hits[i] = nextHit(scene, rays.ray(i), rays.after(i), kInfinity);
+  }
+}
+
+void CpuUnits::addVisible(const SceneView &scene, const ShadowQueue &shadows, const PixelSums &sums) {
+  const size_t count = shadows.size();
+  mEnd.resize(count);
+  mBlocked.resize(count);
+  for (size_t i = 0; i < count; ++i) mEnd[i] = shadowEnd(shadows.distance[i]);
+  findBlocked(scene, streamOf(shadows.origin, shadows.direction, count), mEnd.data(), mBlocked.data());
+  if (!scene.filtersShadow()) return addLit(shadows, mBlocked.data(), sums);
+  for (size_t i = 0; i < count; ++i) {
+    if (mBlocked[i]) continue;
+    const ShadowItem item = shadows[i];
+    sums.add(item.pixel, item.colour * throughFilters(scene, item.ray, mEnd[i]));
+  }
+}
+
+}  // namespace rc::ddi::cpu

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// units.h: how the cpu device does the work of the units for a tile: queues to streams of rays, and to vectors of hits.
+// In: queues.  Out: queues, sums.  Next: rcddi/cpu/trace.h, rcddi/cpu/shade.h
+#pragma once
+
+#include "rcddi/cpu/shade.h"
+
+namespace rc::ddi::cpu {
+
+// One for each worker; its memory is used again from tile to tile.
+class CpuUnits {
+ public:
+  static void generate(const hal::CameraView &camera, const hal::Tile &tile, const hal::TilePixels &pixels, Vec2 offset,
+                       hal::RayQueue &rays) {
+    cpu::generate(camera, tile, pixels, offset, rays);
+  }
+  static void closestHits(const hal::SceneView &scene, const hal::RayQueue &rays, hal::HitQueue &hits);
+  static void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::HitQueue &hits,
+                    const hal::Outputs &out) {
+    cpu::shade(scene, rays, hits, out);
+  }
+  void addVisible(const hal::SceneView &scene, const hal::ShadowQueue &shadows, const hal::PixelSums &sums);
+  static void pack(const hal::PixelSums &sums, size_t count, float share, uint32_t *bytes) {
+    cpu::pack(sums, count, share, bytes);
+  }
+
+ private:
+  hal::Column<float> mEnd;
+  hal::Column<uint8_t> mBlocked;
+};
+
+}  // namespace rc::ddi::cpu

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// column.h: a growing array of plain values, as vector instructions want it: aligned, not filled when it grows, and
+// with room for one more vector behind its end, so that the last values can be read and written as a whole vector.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace rc::hal {
+
+template <class T>
+class Column {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  static constexpr size_t kSlack = 16;  // values that may be read and written behind the end
+
+  Column() = default;
+  Column(Column &&other) noexcept { swap(other); }
+  Column &operator=(Column &&other) noexcept {
+    swap(other);
+    return *this;
+  }
+
+  size_t size() const { return mSize; }
+  T *data() { return mValues.get(); }
+  const T *data() const { return mValues.get(); }
+  T &operator[](size_t i) { return mValues[i]; }
+  const T &operator[](size_t i) const { return mValues[i]; }
+
+  void reserve(size_t count) {
+    if (count <= mCapacity) return;
+    const size_t capacity = std::max(count, 2 * mCapacity);
+    Values values(allocate(capacity + kSlack));
+    std::copy_n(mValues.get(), mSize, values.get());
+    mValues = std::move(values);
+    mCapacity = capacity;
+  }
+  // What is added has any value.
+  void resize(size_t size) {
+    reserve(size);
+    mSize = size;
+  }
+  void assign(size_t size, T value) {
+    resize(size);
+    std::fill_n(data(), size, value);
+  }
+  void push_back(T value) {
+    if (mSize == mCapacity) reserve(mSize + kSlack);
+    mValues[mSize++] = value;
+  }
+  // Takes the last ones of another column; what this one held is dropped.
+  void takeLast(size_t count, Column &from) {
+    const size_t first = from.mSize - count;
+    if (first == 0) {
+      swap(from);
+    } else {
+      resize(count);
+      std::copy_n(from.data() + first, count, data());
+    }
+    from.mSize = first;
+  }
+
+ private:
+  static constexpr std::align_val_t kAlignment{64};
+  struct Free {
+    void operator()(T *values) const { ::operator delete[](values, kAlignment); }
+  };
+  using Values = std::unique_ptr<T[], Free>;
+
+  // Zeros: what lies behind the end may be computed with, and denormal numbers would be slow.
+  static T *allocate(size_t count) {
+    T *values = static_cast<T *>(::operator new[](count * sizeof(T), kAlignment));
+    std::fill_n(values, count, T{});
+    return values;
+  }
+  void swap(Column &other) noexcept {
+    std::swap(mValues, other.mValues);
+    std::swap(mSize, other.mSize);
+    std::swap(mCapacity, other.mCapacity);
+  }
+
+  Values mValues;
+  size_t mSize = 0, mCapacity = 0;
+};
+
+}  // namespace rc::hal

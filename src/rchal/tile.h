@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// tile.h: the pixels of a tile in the order in which rays leave them: blocks of 4 x 4, so that pixels which lie beside
+// each other in both directions follow each other in the queue and their rays stay together.
+#pragma once
+
+#include "rchal/column.h"
+#include "rchal/scene_view.h"
+
+namespace rc::hal {
+
+using Tile = PixelRect;  // of the viewport; small enough for the queues of its rays
+
+class TilePixels {
+ public:
+  static constexpr int kBlock = 4;  // pixels a side
+
+  void arrange(int columns, int rows) {
+    if (columns == mColumns && rows == mRows) return;
+    mColumns = columns;
+    mRows = rows;
+    column.resize(0);
+    row.resize(0);
+    for (int y = 0; y < rows; y += kBlock) {
+      for (int x = 0; x < columns; x += kBlock) addBlock(x, y);
+    }
+  }
+  size_t size() const { return column.size(); }
+
+  Column<int32_t> column, row;  // within the tile
+
+ private:
+  void addBlock(int left, int bottom) {
+    for (int y = bottom; y < std::min(bottom + kBlock, mRows); ++y) {
+      for (int x = left; x < std::min(left + kBlock, mColumns); ++x) {
+        column.push_back(x);
+        row.push_back(y);
+      }
+    }
+  }
+
+  int mColumns = 0, mRows = 0;
+};
+
+}  // namespace rc::hal
