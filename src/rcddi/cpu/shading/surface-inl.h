@@ -166,6 +166,9 @@ HWY_INLINE F interpolated(const CornerValues &values, F w0, F w1, F w2) {
 }
 
 HWY_INLINE void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceLanes &out) {
+#if HWY_TARGET == HWY_SCALAR  // one lane: GCC cannot see that nothing is read which was not set
+  out = {};
+#endif
   TrianglePlaces places;
   findTriangles(shading.scene, rays, places);
   loadTriangles(shading, rays, places, out);

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// Pictures of the cpu device, on every instruction set and any number of threads, against those of the ref device.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include "rcddi/random_scenes.h"
+
+namespace rc::test {
+namespace {
+
+using namespace rc::hal;
+
+constexpr int kWidth = 40, kHeight = 28;  // neither is a multiple of a tile
+
+struct Picture {
+  std::vector<uint32_t> pixels = std::vector<uint32_t>(size_t(kWidth) * kHeight);
+  RayCounts counts;
+};
+
+Picture render(const char *device, int threads, SceneView view) {
+  view.camera.columns = kWidth;
+  view.camera.rows = kHeight;
+  Picture picture;
+  picture.counts = createDevice(device, threads)->trace(view, {picture.pixels.data(), kWidth, kHeight});
+  return picture;
+}
+
+int largestDifference(const Picture &a, const Picture &b) {
+  int largest = 0;
+  for (size_t i = 0; i < a.pixels.size(); ++i) {
+    for (int shift = 0; shift < 32; shift += 8) {
+      largest = std::max(largest, std::abs(int(a.pixels[i] >> shift & 255) - int(b.pixels[i] >> shift & 255)));
+    }
+  }
+  return largest;
+}
+
+class Shading : public testing::TestWithParam<uint32_t> {};
+
+TEST_P(Shading, CpuAgreesWithRefOnEachInstructionSet) {
+  const RandomScene scene(GetParam());
+  const Picture truth = render("ref", 1, scene.view());
+  const int64_t all = hwy::SupportedTargets();
+  for (int64_t rest = all; rest; rest &= rest - 1) {
+    hwy::SetSupportedTargetsForTest(rest & -rest);
+    SCOPED_TRACE(hwy::TargetName(rest & -rest));
+    const Picture found = render("cpu", 1, scene.view());
+    EXPECT_LE(largestDifference(found, truth), 1);
+    EXPECT_EQ(found.counts.all(), truth.counts.all());
+    EXPECT_EQ(found.counts.shadow, truth.counts.shadow);
+    EXPECT_EQ(found.counts.primaryHits, truth.counts.primaryHits);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_P(Shading, ThreadsDoNotChangeABit) {
+  const RandomScene scene(GetParam());
+  const Picture one = render("cpu", 1, scene.view());
+  for (const int threads : {2, 5}) EXPECT_EQ(render("cpu", threads, scene.view()).pixels, one.pixels);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Shading, testing::Range(uint32_t{1}, uint32_t{41}));
+
+}  // namespace
+}  // namespace rc::test
