@@ -11,7 +11,7 @@ packages=(
   g++ cmake ninja-build pkg-config ccache
   libtbb-dev libhwy-dev libglm-dev libpng-dev libx11-dev libxext-dev libegl-dev libglvnd-core-dev
   libassimp-dev libopenimageio-dev libcli11-dev libfmt-dev nlohmann-json3-dev
-  libgtest-dev xvfb libgles-dev libegl-mesa0 mesa-utils-bin
+  libgtest-dev xvfb xdotool libgles-dev libegl-mesa0 mesa-utils-bin
 )
 
 missing=()

@@ -240,7 +240,8 @@ RC_APICALL void RC_APIENTRY rcDisable(RCenum cap);
 RC_APICALL RCboolean RC_APIENTRY rcIsEnabled(RCenum cap);
 /* RC_MIPMAP_HINT: RC_NICEST always samples the base level. RC_RAYBOUNCE_THRESHOLD_HINT: RC_THRESHOLD_LEVELi
  * drops secondary rays of weight under (i+1)/100. RC_RENDERING_HINT: RC_NICEST, _FASTEST_AND_NICEST take
- * four samples a pixel. GL's other hints are accepted. Initially RC_DONT_CARE. IE: target or mode. */
+ * four samples a pixel. RC_STRUCTURE_HINT: RC_STRUCTURE_KD_TREE, _BVH, _NONE are what is built from now on. GL's
+ * other hints are accepted. Initially RC_DONT_CARE. IE: target or mode. */
 RC_APICALL void RC_APIENTRY rcHint(RCenum target, RCenum mode);
 /* State by name, converted to the type asked for; RGBA colours become 0 ... 255 in integers. IE: pname. */
 RC_APICALL void RC_APIENTRY rcGetBooleanv(RCenum pname, RCboolean *params);
@@ -249,6 +250,13 @@ RC_APICALL void RC_APIENTRY rcGetFloatv(RCenum pname, RCfloat *params);
 RC_APICALL void RC_APIENTRY rcGetIntegerv(RCenum pname, RCint *params);
 /* RC_VENDOR, RC_RENDERER, RC_VERSION, RC_EXTENSIONS; a constant string, never to be freed. IE: NULL. */
 RC_APICALL const RCubyte *RC_APIENTRY rcGetString(RCenum name);
+
+/* ---- Beyond the vendor's API ------------------------------------------------------------------ */
+
+/* What the primary rays of pixels meet, and what it cost: RC_RAY_DISTANCE, _MATERIAL, _BOXES, _TRIANGLES; one value a
+ * pixel, the lowest row first. IE: pname; IV: a negative size; IO: no surface. [RC_RCX_ray_queries] */
+RC_APICALL void RC_APIENTRY rcReadRaysRCX(RCint x, RCint y, RCsizei width, RCsizei height, RCenum pname,
+                                          RCfloat *values);
 
 #ifdef __cplusplus
 }

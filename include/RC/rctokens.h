@@ -529,5 +529,28 @@
 #define RC_FRAME_TRIANGLES                            0x52430005 /* rcGet: triangles of the last traced frame */
 #define RC_FRAME_TRIANGLES_SKIPPED                    0x52430006 /* rcGet: degenerate or non-finite ones left out */
 #define RC_FRAME_RAYS                                 0x52430007 /* rcGet: rays of every kind of the last frame */
+#define RC_FRAME_RAYS_PRIMARY                         0x52430008 /* rcGet: rays of the last frame by kind */
+#define RC_FRAME_RAYS_SHADOW                          0x52430009
+#define RC_FRAME_RAYS_REFLECTED                       0x5243000A
+#define RC_FRAME_RAYS_REFRACTED                       0x5243000B
+#define RC_FRAME_RAYS_STRAIGHT                        0x5243000C /* those that passed what is not there */
+#define RC_FRAME_BUILD_TIME                           0x5243000D /* rcGet: milliseconds; of the structure of what moves */
+#define RC_FRAME_TRACE_TIME                           0x5243000E
+#define RC_STATIC_BUILD_TIME                          0x5243000F /* of the static scene's structure */
+#define RC_MEMORY_TRIANGLES                           0x52430010 /* rcGet: bytes */
+#define RC_MEMORY_STRUCTURE                           0x52430011
+#define RC_MEMORY_TEXTURES                            0x52430012
+#define RC_STRUCTURE_NODES                            0x52430013 /* rcGet: inner nodes of the structures */
+#define RC_STRUCTURE_LEAVES                           0x52430014
+#define RC_STRUCTURE_DEPTH                            0x52430015 /* of the deepest leaf */
+#define RC_STRUCTURE_COST                             0x52430016 /* boxes that a random line meets */
+#define RC_STRUCTURE_HINT                             0x52430017 /* rcHint: what is built from now on */
+#define RC_STRUCTURE_KD_TREE                          0x52430018
+#define RC_STRUCTURE_BVH                              0x52430019
+#define RC_STRUCTURE_NONE                             0x5243001A
+#define RC_RAY_DISTANCE                               0x5243001B /* rcReadRaysRCX: below 0 where there is nothing */
+#define RC_RAY_MATERIAL                               0x5243001C /* name, -1 where there is nothing */
+#define RC_RAY_BOXES                                  0x5243001D /* tested */
+#define RC_RAY_TRIANGLES                              0x5243001E /* tested */
 
 #endif /* RC_RCTOKENS_H */

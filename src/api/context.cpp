@@ -23,6 +23,13 @@ float minWeightOf(RCenum hint) {
 constexpr int kNicestSamples = 4;
 bool supersampled(RCenum hint) { return hint == RC_NICEST || hint == RC_FASTEST_AND_NICEST; }
 
+// RC_STRUCTURE_HINT; nothing: as the process says.
+std::optional<AccelKind> structureOf(RCenum hint) {
+  constexpr AccelKind kKinds[] = {AccelKind::KdTree, AccelKind::Bvh, AccelKind::Exhaustive};
+  if (hint == RC_DONT_CARE) return std::nullopt;
+  return kKinds[hint - RC_STRUCTURE_KD_TREE];
+}
+
 hal::Fog fogOf(const FogState &state) {
   if (!state.enabled) return {};
   const hal::FogMode mode = state.mode == RC_LINEAR ? hal::FogMode::Linear
@@ -100,6 +107,14 @@ hal::Target Context::picture() {
   return mSurface ? mSurface->backBuffer() : hal::Target{};
 }
 
+void Context::probe(const hal::PixelRect &part,
+                    const std::function<void(int column, int row, const ddk::RayAnswer &answer)> &take) {
+  finish();
+  mDriver.probe(frameState(), scene, part, take);
+}
+
+AccelKind Context::accelKind() const { return structureOf(state.hints.structure).value_or(mDriver.accelKind()); }
+
 bool Context::pending() const {
   const std::lock_guard lock(mObjects->mutex);
   return mSurface && mTraced != mObjects->changes;
@@ -134,6 +149,7 @@ ddk::FrameState Context::frameState() const {
   frame.fog = fogOf(state.fog);
   frame.scissor = scissorOf(state.picture);
   frame.writeMask = writeMaskOf(state.picture);
+  frame.accelKind = accelKind();
   return frame;
 }
 

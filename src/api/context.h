@@ -80,6 +80,11 @@ class Context {
   bool pending() const;
   // The picture as it is after all that was drawn, row by row from the top; no pixels where there is no surface.
   hal::Target picture();
+  // The primary rays of pixels of that picture. take is called on any thread.
+  void probe(const hal::PixelRect &part,
+             const std::function<void(int column, int row, const ddk::RayAnswer &answer)> &take);
+  // What structures are built from now on.
+  AccelKind accelKind() const;
   // A draw call had no vertex array, or an array without memory: it draws nothing.
   void noteEmptyDraw() { ++mEmptyDraws; }
   // The picture was shown: dynamic geometry ends here.

@@ -54,6 +54,34 @@ void readPixels(Context &context, const hal::PixelRect &part, const ReadFormat &
   }
 }
 
+struct RayValue {
+  RCenum pname;
+  RCfloat (*of)(const ddk::RayAnswer &answer);
+};
+constexpr RayValue kRayValues[] = {
+    {RC_RAY_DISTANCE, [](const ddk::RayAnswer &a) { return RCfloat(a.distance); }},
+    {RC_RAY_MATERIAL, [](const ddk::RayAnswer &a) { return RCfloat(a.material); }},
+    {RC_RAY_BOXES, [](const ddk::RayAnswer &a) { return RCfloat(a.boxes); }},
+    {RC_RAY_TRIANGLES, [](const ddk::RayAnswer &a) { return RCfloat(a.triangles); }},
+};
+
+// Rays go through pixels of the viewport, which may lie anywhere in the picture.
+void readRays(Context &context, const hal::PixelRect &part, const RayValue &value, RCfloat *values) {
+  if (part.columns < 0 || part.rows < 0) {
+    return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", part.columns, part.rows);
+  }
+  if (!context.picture().pixels) return context.fail(RC_INVALID_OPERATION, "there is no surface to look through");
+  if (!values) return;
+  const ViewState &view = context.state.view;
+  hal::PixelRect inside = hal::common(part, {view.x, view.y, view.width, view.height});
+  inside.column -= view.x;
+  inside.row -= view.y;
+  context.probe(inside, [&](int column, int row, const ddk::RayAnswer &answer) {
+    const size_t place = size_t(int64_t{row} + view.y - part.row) * size_t(part.columns);
+    values[place + size_t(int64_t{column} + view.x - part.column)] = value.of(answer);
+  });
+}
+
 }  // namespace
 
 extern "C" {
@@ -95,6 +123,15 @@ void rcReadPixels(RCint x, RCint y, RCsizei width, RCsizei height, RCenum format
     if (const ReadFormat *row = findReadFormat(context, format, type)) {
       readPixels(context, {x, y, width, height}, *row, pixels);
     }
+  });
+}
+
+void rcReadRaysRCX(RCint x, RCint y, RCsizei width, RCsizei height, RCenum pname, RCfloat *values) {
+  enter(Call("rcReadRaysRCX", x, y, width, height, pname, values), [&](Context &context) {
+    for (const RayValue &row : kRayValues) {
+      if (row.pname == pname) return readRays(context, {x, y, width, height}, row, values);
+    }
+    context.fail(RC_INVALID_ENUM, "0x%04X is nothing that a ray tells", pname);
   });
 }
 

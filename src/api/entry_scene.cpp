@@ -33,7 +33,7 @@ void rcStaticSceneBegin(void) {
 void rcStaticSceneEnd(void) {
   enter(Call("rcStaticSceneEnd"), [](Context &context) {
     if (!context.scene.inStaticScene()) return;
-    context.scene.endStatic(context.driver().accelKind(), context.driver().workers());
+    context.scene.endStatic(context.accelKind(), context.driver().workers());
     context.resetMatrices();
     context.touch();
   });

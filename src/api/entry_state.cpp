@@ -34,6 +34,10 @@ bool isThreshold(RCenum mode) {
   return mode == RC_DONT_CARE || (mode >= RC_THRESHOLD_LEVEL0 && mode <= RC_THRESHOLD_LEVEL9);
 }
 
+bool isStructure(RCenum mode) {
+  return mode == RC_DONT_CARE || (mode >= RC_STRUCTURE_KD_TREE && mode <= RC_STRUCTURE_NONE);
+}
+
 constexpr HintRow kHints[] = {
     {RC_MIPMAP_HINT, &HintState::mipmap, isQuality},
     {RC_RENDERING_HINT, &HintState::rendering, isRendering},
@@ -43,6 +47,7 @@ constexpr HintRow kHints[] = {
     {RC_LINE_SMOOTH_HINT, &HintState::lineSmooth, any},
     {RC_PERSPECTIVE_CORRECTION_HINT, &HintState::perspective, any},
     {RC_POINT_SMOOTH_HINT, &HintState::pointSmooth, any},
+    {RC_STRUCTURE_HINT, &HintState::structure, isStructure},
 };
 
 void setHint(Context &context, RCenum target, RCenum mode) {
@@ -57,8 +62,9 @@ void setHint(Context &context, RCenum target, RCenum mode) {
 
 // What goes beyond the vendor's API, by name; docs/extensions/ has a document for each.
 constexpr const char *kExtensions =
-    "RC_RCX_es11_functions RC_RCX_frame_queries RC_RCX_large_textures RC_RCX_material_emission RC_RCX_opaque_alpha "
-    "RC_RCX_packed_textures RC_RCX_trilinear RC_RCX_vertex_colors";
+    "RC_RCX_es11_functions RC_RCX_frame_queries RC_RCX_frame_statistics RC_RCX_large_textures RC_RCX_material_emission "
+    "RC_RCX_opaque_alpha RC_RCX_packed_textures RC_RCX_ray_queries RC_RCX_structure_hint RC_RCX_trilinear "
+    "RC_RCX_vertex_colors";
 
 struct StringRow {
   RCenum name;

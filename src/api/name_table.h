@@ -39,6 +39,12 @@ class NameTable {
     if (name < mLowestFree) mLowestFree = name;
   }
 
+  // Calls visit(object) for each, by name.
+  template <class Visit>
+  void forEach(Visit &&visit) const {
+    for (const auto &[name, object] : mObjects) visit(*object);
+  }
+
   bool contains(RCuint name) const { return name == 0 || mObjects.contains(name); }
 
  private:

@@ -65,6 +65,7 @@ constexpr QueryRow kRows[] = {
     {RC_PERSPECTIVE_CORRECTION_HINT, Kind::Token, 1,
      [](const Context &c, double *v) { v[0] = c.state.hints.perspective; }},
     {RC_POINT_SMOOTH_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.pointSmooth; }},
+    {RC_STRUCTURE_HINT, Kind::Token, 1, [](const Context &c, double *v) { v[0] = c.state.hints.structure; }},
     // limits
     {RC_MAX_LIGHTS, Kind::Number, 1, [](const Context &c, double *v) { v[0] = c.profile().lights; }},
     {RC_MAX_MATERIALS, Kind::Number, 1, constant<int(hal::kNamedMaterials)>},
@@ -78,14 +79,6 @@ constexpr QueryRow kRows[] = {
     {RC_MAX_PALETTE_MATRICES_OES, Kind::Number, 1, constant<PaletteState::kMatrices>},
     {RC_MAX_VERTEX_UNITS_OES, Kind::Number, 1, constant<PaletteState::kMatrices>},
     {RC_MAX_VIEWPORT_DIMS, Kind::Number, 2, [](const Context &, double *v) { v[0] = v[1] = 2048; }},
-    // the last traced frame
-    {RC_FRAME_TRIANGLES, Kind::Number, 1,
-     [](const Context &c, double *v) {
-       v[0] = double(c.lastFrame().staticTriangles + c.lastFrame().dynamicTriangles);
-     }},
-    {RC_FRAME_TRIANGLES_SKIPPED, Kind::Number, 1,
-     [](const Context &c, double *v) { v[0] = double(c.lastFrame().skipped.all()); }},
-    {RC_FRAME_RAYS, Kind::Number, 1, [](const Context &c, double *v) { v[0] = double(c.lastFrame().rays.all()); }},
 };
 
 QueryResult single(Kind kind, double value) { return {kind, 1, {value}}; }
@@ -104,7 +97,8 @@ QueryResult queryArray(const ArrayState &arrays, RCenum name) {
 }  // namespace
 
 QueryResult query(Context &context, RCenum pname) {
-  for (const std::span<const QueryRow> table : {std::span<const QueryRow>(kRows), rasterQueries()}) {
+  for (const std::span<const QueryRow> table :
+       {std::span<const QueryRow>(kRows), rasterQueries(), statisticsQueries()}) {
     for (const QueryRow &row : table) {
       if (row.name != pname) continue;
       QueryResult result{row.kind, row.count, {}};

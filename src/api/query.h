@@ -37,6 +37,7 @@ struct QueryRow {
 
 // Names of OpenGL ES 1.1 that RayCore's own state does not have; query_raster.cpp.
 std::span<const QueryRow> rasterQueries();
+std::span<const QueryRow> statisticsQueries();
 
 inline void writeColour(const Vec4 &colour, double *values) {
   for (int i = 0; i < 4; ++i) values[i] = double(colour[i]);

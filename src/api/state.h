@@ -137,7 +137,7 @@ struct ShadowState {
 struct HintState {
   RCenum mipmap = RC_DONT_CARE, rendering = RC_DONT_CARE, rayBounceThreshold = RC_DONT_CARE;
   RCenum fog = RC_DONT_CARE, generateMipmap = RC_DONT_CARE, lineSmooth = RC_DONT_CARE;
-  RCenum perspective = RC_DONT_CARE, pointSmooth = RC_DONT_CARE;
+  RCenum perspective = RC_DONT_CARE, pointSmooth = RC_DONT_CARE, structure = RC_DONT_CARE;
 };
 
 // Of the second generation: stored, without effect on the picture. [spec 7; reference 4.12]

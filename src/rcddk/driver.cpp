@@ -2,21 +2,12 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddk/driver.h"
 
-#include <chrono>
 #include <unordered_map>
+
+#include "base/stopwatch.h"
 
 namespace rc::ddk {
 namespace {
-
-class Stopwatch {
- public:
-  double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - mStart).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point mStart = std::chrono::steady_clock::now();
-};
 
 // The tables a SceneView points into, for the length of one frame.
 class Snapshot {
@@ -98,7 +89,7 @@ Driver::Driver(const Settings &settings) : mAccelKind(settings.accel), mWorkers(
 FrameStats Driver::trace(const FrameState &state, Scene &scene, const hal::Target &target) {
   FrameStats stats;
   const Stopwatch building;
-  scene.buildDynamic(mAccelKind, mWorkers);
+  scene.buildDynamic(state.accelKind.value_or(mAccelKind), mWorkers);
   stats.buildMilliseconds = building.milliseconds();
 
   const Stopwatch tracing;
@@ -113,6 +104,16 @@ FrameStats Driver::trace(const FrameState &state, Scene &scene, const hal::Targe
   stats.lights = snapshot.view().lights.size();
   stats.defaultLight = snapshot.hasDefaultLight();
   return stats;
+}
+
+void Driver::probe(const FrameState &state, const Scene &scene, const hal::PixelRect &part,
+                   const std::function<void(int column, int row, const RayAnswer &answer)> &take) {
+  const Snapshot snapshot(state, scene);
+  mWorkers.forEach(size_t(part.rows), [&](size_t row, int) {
+    for (int column = part.column; column < part.column + part.columns; ++column) {
+      take(column, part.row + int(row), probePixel(snapshot.view(), column, part.row + int(row)));
+    }
+  });
 }
 
 }  // namespace rc::ddk

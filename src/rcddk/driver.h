@@ -5,11 +5,13 @@
 // In: FrameState, Scene.  Out: the picture in the Target, FrameStats.  Next: rchal/device.h
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "rcddk/camera.h"
 #include "rcddk/frame_stats.h"
 #include "rcddk/light.h"
+#include "rcddk/ray_probe.h"
 #include "rcddk/scene.h"
 #include "rchal/device.h"
 
@@ -32,6 +34,7 @@ struct FrameState {
   hal::Fog fog;
   std::optional<hal::PixelRect> scissor;
   uint32_t writeMask = ~0u;
+  std::optional<AccelKind> accelKind;  // instead of the process's
 };
 
 class Driver {
@@ -43,6 +46,10 @@ class Driver {
   const Workers &workers() const { return mWorkers; }
 
   FrameStats trace(const FrameState &state, Scene &scene, const hal::Target &target);
+  // The primary rays of the pixels, column and row from the lower left of the viewport, for the scene as it was traced
+  // last. take is called on any thread.
+  void probe(const FrameState &state, const Scene &scene, const hal::PixelRect &part,
+             const std::function<void(int column, int row, const RayAnswer &answer)> &take);
 
  private:
   AccelKind mAccelKind;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddk/scene.h"
 
+#include "base/stopwatch.h"
+
 namespace rc::ddk {
 namespace {
 
@@ -29,12 +31,14 @@ void Scene::beginStatic() {
 }
 
 void Scene::endStatic(AccelKind kind, const Workers &workers) {
+  const Stopwatch building;
   try {
     mStatics.accel = buildAccel(kind, mStatics.triangles, workers);
   } catch (...) {  // out of memory: better no static scene than one without a structure
     abandonStatic();
     throw;
   }
+  mStaticBuildMilliseconds = building.milliseconds();
   mInStaticScene = false;
 }
 
@@ -51,7 +55,8 @@ GeometrySet &Scene::target() {
 }
 
 void Scene::buildDynamic(AccelKind kind, const Workers &workers) {
-  if (!mDynamicsTraced && !refit(mDynamics.triangles, workers, mDynamics.accel)) {
+  const bool sameKind = mDynamics.accel.kind == kind;
+  if (!mDynamicsTraced && !(sameKind && refit(mDynamics.triangles, workers, mDynamics.accel))) {
     mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame);
   }
   mDynamicsTraced = true;

@@ -13,6 +13,8 @@ class Scene {
   const GeometrySet &statics() const { return mStatics; }
   const GeometrySet &dynamics() const { return mDynamics; }
   bool inStaticScene() const { return mInStaticScene; }
+  // Of the structure of the static scene.
+  double staticBuildMilliseconds() const { return mStaticBuildMilliseconds; }
 
   // Drops everything. [rcSceneAllInit]
   void clear();
@@ -34,6 +36,7 @@ class Scene {
 
  private:
   GeometrySet mStatics, mDynamics;
+  double mStaticBuildMilliseconds = 0;
   bool mInStaticScene = false;
   bool mDynamicsTraced = false;  // they belong to a picture that is done
 };

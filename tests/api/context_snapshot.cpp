@@ -138,7 +138,7 @@ std::vector<double> ContextTest::snapshot() const {
   all.addAll(std::array{window.left, window.right, window.bottom, window.top, window.near, double(window.parallel)});
   const api::HintState &hints = state.hints;
   all.addAll(std::array{hints.mipmap, hints.rendering, hints.rayBounceThreshold, hints.fog, hints.generateMipmap,
-                        hints.lineSmooth, hints.perspective, hints.pointSmooth});
+                        hints.lineSmooth, hints.perspective, hints.pointSmooth, hints.structure});
   all.addAll(std::array<double, 3>{state.pathTracing.lightRadius, double(state.pathTracing.diffuseRate),
                                    double(state.pathTracing.sampleCount)});
   all.add(state.texture.alpha);

@@ -156,6 +156,7 @@ TEST_F(NoContextTest, NothingHappensAndTheErrorTells) {
       CALL(rcPopMatrix),
       CALL(rcPushMatrix),
       CALL(rcReadPixels, 1, 1, 1, 1, 1, 1, u),
+      CALL(rcReadRaysRCX, 1, 1, 1, 1, RC_RAY_BOXES, f),
       CALL(rcRotatef, 1, 1, 1, 1),
       CALL(rcRotatex, 1, 1, 1, 1),
       CALL(rcSampleCoverage, 1, 1),

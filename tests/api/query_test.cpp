@@ -67,6 +67,22 @@ constexpr struct {
               {RC_FRAME_TRIANGLES, 1},
               {RC_FRAME_TRIANGLES_SKIPPED, 1},
               {RC_FRAME_RAYS, 1},
+              {RC_FRAME_RAYS_PRIMARY, 1},
+              {RC_FRAME_RAYS_SHADOW, 1},
+              {RC_FRAME_RAYS_REFLECTED, 1},
+              {RC_FRAME_RAYS_REFRACTED, 1},
+              {RC_FRAME_RAYS_STRAIGHT, 1},
+              {RC_FRAME_BUILD_TIME, 1},
+              {RC_FRAME_TRACE_TIME, 1},
+              {RC_STATIC_BUILD_TIME, 1},
+              {RC_MEMORY_TRIANGLES, 1},
+              {RC_MEMORY_STRUCTURE, 1},
+              {RC_MEMORY_TEXTURES, 1},
+              {RC_STRUCTURE_NODES, 1},
+              {RC_STRUCTURE_LEAVES, 1},
+              {RC_STRUCTURE_DEPTH, 1},
+              {RC_STRUCTURE_COST, 1},
+              {RC_STRUCTURE_HINT, 1},
               {RC_LARGE_TEXTURES, 1}};
 
 template <class Value>

@@ -38,7 +38,8 @@ int parseAndRun(int argc, char **argv) {
   app.require_subcommand(1);
   app.footer(kFooter);
   app.set_version_flag("--version", versionText());
-  const Command commands[] = {addRender(app), addInfo(app), addStats(app), addDevices(app), addVersion(app)};
+  const Command commands[] = {addRender(app), addView(app),    addInfo(app),   addStats(app),
+                              addBench(app),  addDevices(app), addVersion(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {

@@ -41,6 +41,7 @@ inline std::optional<Interval> clip(const TraversalRay &ray, const Vec3 &lower, 
   return Interval{enter, leave};
 }
 
+// A leaf that has inner(node) is told of the inner nodes too, as rcddk/ray_probe.cpp counts them.
 // Each walk calls leaf(indices) for leaves from near to far until it returns true, or until all boxes
 // that begin before tMax are done. tMax is a reference: it may shrink while the walk goes on.
 
@@ -77,6 +78,7 @@ void walkBvh(const AccelView &accel, const TraversalRay &ray, const float &tMax,
       const TriangleBlock4 &block = accel.blocks[at.child & ~BvhNode8::kLeaf];
       if (leaf(std::span<const uint32_t>(block.primitive, block.count()))) return;
     } else {
+      if constexpr (requires { leaf.inner(accel.bvhNodes[0]); }) leaf.inner(accel.bvhNodes[at.child]);
       depth = pushChildren(accel.bvhNodes[at.child], ray, tMax, stack, depth);
     }
   }
@@ -97,6 +99,7 @@ void walkKdTree(const AccelView &accel, const TraversalRay &ray, const float &tM
   for (;;) {
     const KdNode8 &node = accel.kdNodes[at.node];
     if (!node.isLeaf()) {
+      if constexpr (requires { leaf.inner(node); }) leaf.inner(node);
       const uint32_t axis = node.axis();
       const float origin = ray.origin[axis];
       const float t = (node.split - origin) * ray.inverse[axis];

@@ -18,8 +18,10 @@ struct Command {
 };
 
 Command addRender(CLI::App &app);
+Command addView(CLI::App &app);
 Command addInfo(CLI::App &app);
 Command addStats(CLI::App &app);
+Command addBench(CLI::App &app);
 Command addDevices(CLI::App &app);
 Command addVersion(CLI::App &app);
 

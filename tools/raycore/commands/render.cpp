@@ -63,7 +63,7 @@ void report(const Options &options, const Show &show, const std::string &file, i
 
 // Makes what is missing; false after an interruption.
 bool makeFrames(const Options &options, Show &show, const FrameRange &range, const std::string &pattern) {
-  Progress progress(range.count(), options.load.quiet);
+  Progress progress("frame", range.count(), options.load.quiet);
   long long rays = 0;
   double seconds = 0;
   for (int frame = range.first; frame <= range.last; ++frame) {

@@ -63,11 +63,8 @@ CLI::callback_t angle(std::optional<Angle> &to) {
 
 }  // namespace
 
-void addShowOptions(CLI::App &command, ShowSettings &settings) {
-  const auto add = [&](const char *names, CLI::callback_t callback, const char *type, const char *what) {
-    command.add_option(names, std::move(callback), what)->type_name(type)->group("Picture");
-  };
-  add("--size", size(settings), "WxH", "Pixels, 1 to 16384 each [800x480]");
+void addPictureSize(CLI::App &command, ShowSettings &settings) {
+  command.add_option("--size", size(settings), "Pixels, 1 to 16384 each [800x480]")->type_name("WxH")->group("Picture");
   command.add_option("--samples", settings.samples, "Samples a pixel")
       ->check(CLI::Range(1, 64))
       ->group("Picture")
@@ -76,6 +73,13 @@ void addShowOptions(CLI::App &command, ShowSettings &settings) {
       ->check(CLI::Range(0, 14))
       ->group("Picture")
       ->capture_default_str();
+}
+
+void addShowOptions(CLI::App &command, ShowSettings &settings) {
+  const auto add = [&](const char *names, CLI::callback_t callback, const char *type, const char *what) {
+    command.add_option(names, std::move(callback), what)->type_name(type)->group("Picture");
+  };
+  addPictureSize(command, settings);
   command.add_option("--camera", settings.camera, "Camera of the file, number or name; else the whole model is framed")
       ->group("Picture");
   add("--eye", point(settings.eye), "X,Y,Z", "Where the viewer is");

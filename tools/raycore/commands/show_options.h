@@ -10,6 +10,8 @@
 
 namespace rc::tool {
 
+// Size, samples, bounces.
+void addPictureSize(CLI::App &command, ShowSettings &settings);
 void addShowOptions(CLI::App &command, ShowSettings &settings);
 
 }  // namespace rc::tool

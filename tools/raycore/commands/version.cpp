@@ -6,10 +6,9 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <nlohmann/json.hpp>
-#include <thread>
 
 #include "commands/commands.h"
+#include "commands/machine.h"
 #include "draw/target.h"
 
 namespace rc::tool {
@@ -17,13 +16,11 @@ namespace {
 
 constexpr const char *kVersion = RAYCORE_VERSION;
 
-using Json = nlohmann::ordered_json;
-
 std::string stringOf(RCenum name) { return reinterpret_cast<const char *>(rcGetString(name)); }
 
-std::string environment(const char *name, const std::string &missing) {
-  const char *value = std::getenv(name);
-  return value && *value ? value : missing;
+std::string profile() {
+  const char *value = std::getenv("RAYCORE_PROFILE");
+  return value && *value ? value : "guide";
 }
 
 int integerOf(RCenum name) {
@@ -37,29 +34,37 @@ Json aboutVersion() {
   return {{"raycore", kVersion},
           {"library", stringOf(RC_VERSION)},
           {"vendor", stringOf(RC_VENDOR)},
-          {"egl", eglQueryString(eglGetDisplay(EGL_DEFAULT_DISPLAY), EGL_VERSION)}};
+          {"egl", eglQueryString(eglGetDisplay(EGL_DEFAULT_DISPLAY), EGL_VERSION)},
+          {"libraries", aboutLibraries()}};
 }
 
 // The API names one renderer; which device of the library stands behind it is the environment's choice.
 Json aboutDevice() {
   const Target target(16, 16);
-  return {{"renderer", stringOf(RC_RENDERER)},
-          {"device", environment("RAYCORE_DEVICE", "default")},
-          {"threads", environment("RAYCORE_THREADS", std::to_string(std::thread::hardware_concurrency()))},
-          {"structure", environment("RAYCORE_ACCEL", "default")},
-          {"profile", environment("RAYCORE_PROFILE", "guide")},
-          {"lights", integerOf(RC_MAX_LIGHTS)},
-          {"materials", integerOf(RC_MAX_MATERIALS)},
-          {"palette matrices", integerOf(RC_MAX_PALETTE_MATRICES_OES)}};
+  Json json{{"renderer", stringOf(RC_RENDERER)}};
+  json.update(aboutMachine());
+  json.update(Json{{"profile", profile()},
+                   {"lights", integerOf(RC_MAX_LIGHTS)},
+                   {"materials", integerOf(RC_MAX_MATERIALS)},
+                   {"palette_matrices", integerOf(RC_MAX_PALETTE_MATRICES_OES)}});
+  return json;
+}
+
+void print(const Json &json, const std::string &before = "") {
+  for (const auto &[key, value] : json.items()) {
+    if (value.is_object()) {
+      print(value, key + " ");
+    } else {
+      fmt::print("{:<24} {}\n", before + key, value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
 }
 
 int show(const Json &json, bool asJson) {
   if (asJson) {
     fmt::print("{}\n", json.dump(2));
-    return 0;
-  }
-  for (const auto &[key, value] : json.items()) {
-    fmt::print("{:<17} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+  } else {
+    print(json);
   }
   return 0;
 }

@@ -85,6 +85,15 @@ Model::Look Model::makeLook(const Material &material) {
   return look;
 }
 
+std::string Model::materialName(RCuint name) const {
+  for (size_t i = 0; i < mLooks.size(); ++i) {
+    if (mLooks[i].name != name) continue;
+    const std::string &own = mLooks[i].material.name;
+    return i + 1 == mLooks.size() ? "(no material)" : own.empty() ? fmt::format("material {}", i) : own;
+  }
+  return {};
+}
+
 const Model::Look &Model::lookOf(const Primitive &primitive) const {
   const size_t index = size_t(primitive.material);
   return primitive.material >= 0 && index + 1 < mLooks.size() ? mLooks[index] : mLooks.back();

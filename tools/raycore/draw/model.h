@@ -25,6 +25,11 @@ class Model {
   enum class Part { Moving, Standing, All };
   void draw(const Pose &pose, const std::vector<bool> &moving, Part part);
 
+  // Of all textures, from now on.
+  void setFilter(RCint filter) const { mTextures.setFilter(filter); }
+  // The file's name for one of RayCore's materials; empty if it is none of the model's.
+  std::string materialName(RCuint name) const;
+
  private:
   struct Look {
     RCuint name = 0;

@@ -75,7 +75,7 @@ Show::Show(Scene scene, ShowSettings settings)
   if (mBounds.empty()) mScene.note("there is no surface to draw");
 }
 
-View Show::viewAt(const Pose &pose) const {
+View Show::viewOf(const Pose &pose) const {
   const float aspect = float(mSettings.width) / float(mSettings.height);
   View view = mSettings.camera.empty() ? framing(mBounds, aspect, mSettings.fov, mZUp, mSettings.angle)
                                        : fromFile(mScene, pose, mSettings.camera);
@@ -94,23 +94,55 @@ void Show::drawStanding(const Pose &pose) {
   mStandingDrawn = true;
 }
 
-Image Show::picture(float seconds) {
-  const Pose pose = poseAt(mScene, mAnimation, seconds);
-  const View view = viewAt(pose);
-  setView(view, float(mSettings.width) / float(mSettings.height));
-  setLights(mScene, pose, view, mBounds, mSettings.lighting);
+Image Show::picture(float seconds) { return picture({viewAt(seconds), seconds, mSettings.width, mSettings.height}); }
+
+Image Show::picture(const Shot &shot) {
+  const Pose pose = poseAt(mScene, mAnimation, shot.seconds);
+  const Vec2 size(shot.width, shot.height);
+  rcViewport(0, 0, shot.width, shot.height);
+  setView(shot.view, float(mSettings.width) / float(mSettings.height), shot.sample / size);
+  setLights(mScene, pose, mLightView.value_or(shot.view), mBounds, mSettings.lighting);
   const auto start = std::chrono::steady_clock::now();
   if (!mStandingDrawn) drawStanding(pose);
-  mModel.draw(pose, mMoving, Model::Part::Moving);
+  if (mMovingDrawn != shot.seconds) mModel.draw(pose, mMoving, Model::Part::Moving);
+  mMovingDrawn = shot.seconds;
   checkErrors("drawing the model");
   mStatistics.buildSeconds = secondsSince(start);
+  const int rows = shot.rows > 0 ? shot.rows : shot.height;
+  (rows < shot.height ? rcEnable : rcDisable)(RC_SCISSOR_TEST);
+  rcScissor(0, shot.row, shot.width, rows);
   const auto traceStart = std::chrono::steady_clock::now();
   rcFinish();
   mStatistics.traceSeconds = secondsSince(traceStart);
   mStatistics.triangles = integerOf(RC_FRAME_TRIANGLES);
   mStatistics.skipped = integerOf(RC_FRAME_TRIANGLES_SKIPPED);
   mStatistics.rays = integerOf(RC_FRAME_RAYS);
-  return mTarget.picture(mSettings.width, mSettings.height);
+  return mTarget.picture(0, shot.row, shot.width, rows);
+}
+
+std::optional<Pick> Show::pick(Shot shot, int x, int y) {
+  shot.row = y;
+  shot.rows = 1;
+  picture(shot);
+  RCfloat distance = -1, material = 0;
+  rcReadRaysRCX(x, y, 1, 1, RC_RAY_DISTANCE, &distance);
+  rcReadRaysRCX(x, y, 1, 1, RC_RAY_MATERIAL, &material);
+  checkErrors("picking");
+  if (distance < 0) return std::nullopt;
+  const Vec2 place = Vec2(x, y) / Vec2(shot.width, shot.height);
+  const Sight sight = sightThrough(shot.view, float(mSettings.width) / float(mSettings.height), place);
+  return Pick{materialName(RCuint(material)), distance, sight.from + distance * sight.direction};
+}
+
+void Show::resize(int width, int height) {
+  mTarget.resize(width, height);
+  mSettings.width = width;
+  mSettings.height = height;
+}
+
+std::string Show::materialName(RCuint name) const {
+  const std::string own = mModel.materialName(name);
+  return own.empty() ? mStage.materialName(name) : own;
 }
 
 }  // namespace rc::tool

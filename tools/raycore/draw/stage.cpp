@@ -92,6 +92,11 @@ Stage::Stage(const Background &background, GroundKind ground, bool zUp) : mZUp(z
   if (ground != GroundKind::None) mGround = groundMaterial(ground);
 }
 
+std::string Stage::materialName(unsigned name) const {
+  if (name == 0) return {};
+  return name == mSphere ? "background" : name == mGround ? "ground" : std::string();
+}
+
 void Stage::draw(const Bounds &bounds) const {
   plainState();
   if (mGround) drawGround(bounds);

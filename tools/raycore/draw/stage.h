@@ -27,6 +27,8 @@ class Stage {
   Stage(const Background &background, GroundKind ground, bool zUp);
   // Into the static scene that is open.
   void draw(const Bounds &bounds) const;
+  // "background" or "ground", if the material is theirs.
+  std::string materialName(unsigned name) const;
 
  private:
   void drawSphere(const Bounds &bounds) const;

@@ -27,18 +27,30 @@ constexpr std::array kErrorNames{
 Target::Target(int width, int height) {
   constexpr EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RED_SIZE, 8, EGL_NONE};
   constexpr EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 1, EGL_NONE};
-  const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-  EGLConfig config = nullptr;
   EGLint count = 0;
   mDisplay = eglGetDisplay(EGL_DEFAULT_DISPLAY);
   eglInitialize(mDisplay, nullptr, nullptr);
-  eglChooseConfig(mDisplay, wanted, &config, 1, &count);
-  if (count > 0) mSurface = eglCreatePbufferSurface(mDisplay, config, size);
-  if (mSurface) mContext = eglCreateContext(mDisplay, config, EGL_NO_CONTEXT, version);
+  eglChooseConfig(mDisplay, wanted, &mConfig, 1, &count);
+  if (count > 0) mSurface = makeSurface(width, height);
+  if (mSurface) mContext = eglCreateContext(mDisplay, mConfig, EGL_NO_CONTEXT, version);
   if (!mContext || !eglMakeCurrent(mDisplay, mSurface, mSurface, mContext)) {
     reject("no picture of {} x {} (EGL error 0x{:04X})", width, height, eglGetError());
   }
   rcViewport(0, 0, width, height);
+}
+
+EGLSurface Target::makeSurface(int width, int height) const {
+  const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+  return eglCreatePbufferSurface(mDisplay, mConfig, size);
+}
+
+void Target::resize(int width, int height) {
+  const EGLSurface surface = makeSurface(width, height);
+  if (!surface || !eglMakeCurrent(mDisplay, surface, surface, mContext)) {
+    reject("no picture of {} x {} (EGL error 0x{:04X})", width, height, eglGetError());
+  }
+  eglDestroySurface(mDisplay, mSurface);
+  mSurface = surface;
 }
 
 Target::~Target() {
@@ -48,11 +60,11 @@ Target::~Target() {
   eglTerminate(mDisplay);
 }
 
-Image Target::picture(int width, int height) const {
+Image Target::picture(int x, int y, int width, int height) const {
   Image image{"", width, height, std::vector<uint8_t>(size_t(width) * size_t(height) * 4)};
-  rcReadPixels(0, 0, width, height, RC_RGBA, RC_UNSIGNED_BYTE, image.rgba.data());
-  const auto row = [&](int y) { return image.rgba.begin() + std::ptrdiff_t(y) * width * 4; };
-  for (int y = 0; y < height / 2; ++y) std::swap_ranges(row(y), row(y + 1), row(height - 1 - y));
+  rcReadPixels(x, y, width, height, RC_RGBA, RC_UNSIGNED_BYTE, image.rgba.data());
+  const auto row = [&](int i) { return image.rgba.begin() + std::ptrdiff_t(i) * width * 4; };
+  for (int i = 0; i < height / 2; ++i) std::swap_ranges(row(i), row(i + 1), row(height - 1 - i));
   checkErrors("tracing");
   return image;
 }

@@ -18,11 +18,19 @@ class Target {
   Target(const Target &) = delete;
   Target &operator=(const Target &) = delete;
 
+  // Another size from now on. Throws InputError.
+  void resize(int width, int height);
+
   // Traces what is drawn, if it is not traced yet, and reads it; the first row is the top one.
-  Image picture(int width, int height) const;
+  Image picture(int width, int height) const { return picture(0, 0, width, height); }
+  // A part of it, from the lower left.
+  Image picture(int x, int y, int width, int height) const;
 
  private:
+  EGLSurface makeSurface(int width, int height) const;
+
   EGLDisplay mDisplay = EGL_NO_DISPLAY;
+  EGLConfig mConfig = nullptr;
   EGLSurface mSurface = EGL_NO_SURFACE;
   EGLContext mContext = EGL_NO_CONTEXT;
 };

@@ -108,11 +108,20 @@ bool Textures::bindNormals(const Material &material) {
   return true;
 }
 
+void Textures::setFilter(RCint filter) const {
+  rcBindMaterial(0);  // whose texture is nobody's
+  for (const Uploaded &texture : mUploaded) {
+    rcBindTexture(texture.target, texture.name);
+    rcTexParameteri(texture.target, RC_TEXTURE_MIN_FILTER, filter);
+  }
+}
+
 void Textures::upload(RCenum target, const Image &image, const Texture &texture, RCint opaqueAlpha) {
   const Image fitting = forDevice(image);
   RCuint name = 0;
   rcGenTextures(1, &name);
   rcBindTexture(target, name);
+  mUploaded.push_back({target, name});
   if (std::max(fitting.width, fitting.height) > 1024) rcEnable(RC_LARGE_TEXTURES);
   rcTexParameteri(target, RC_TEXTURE_WRAP_S, wrapToken(texture.wrapS));
   rcTexParameteri(target, RC_TEXTURE_WRAP_T, wrapToken(texture.wrapT));

@@ -21,6 +21,9 @@ class Textures {
   bool bindColour(const Material &material);
   bool bindNormals(const Material &material);
 
+  // Of all of them, from now on: RC_LINEAR_MIPMAP_LINEAR or another filter.
+  void setFilter(RCint filter) const;
+
   // The coordinates they use.
   static const TextureUse &placeOf(const Material &material);
 
@@ -29,7 +32,13 @@ class Textures {
   Image colourOf(const Material &material) const;
   void upload(RCenum target, const Image &image, const Texture &texture, RCint opaqueAlpha);
 
+  struct Uploaded {
+    RCenum target;
+    RCuint name;
+  };
+
   const Scene &mScene;
+  std::vector<Uploaded> mUploaded;
 };
 
 }  // namespace rc::tool

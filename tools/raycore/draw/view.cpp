@@ -80,14 +80,26 @@ View fromFile(const Scene &scene, const Pose &pose, const std::string &camera) {
   reject("--camera: camera \"{}\" is nowhere in the scene", camera);
 }
 
-void setView(const View &view, float aspect) {
+Sight sightThrough(const View &view, float aspect, const Vec2 &place) {
+  const Vec3 back = glm::normalize(view.eye - view.centre), right = glm::normalize(glm::cross(view.up, back));
+  const Vec3 up = glm::cross(back, right);
+  const float h = view.orthographic ? view.halfHeight : std::tan(glm::radians(view.fov) / 2);
+  const Vec2 at = (2.0f * place - 1.0f) * Vec2(h * aspect, h);
+  const Vec3 across = at.x * right + at.y * up;
+  if (view.orthographic) return {view.eye + across, -back};
+  return {view.eye, glm::normalize(across - back)};
+}
+
+void setView(const View &view, float aspect, const Shift &shift) {
   rcuLookAt(view.eye.x, view.eye.y, view.eye.z, view.centre.x, view.centre.y, view.centre.z, view.up.x, view.up.y,
             view.up.z);
-  const float h = view.halfHeight, w = h * aspect;
+  constexpr float kNear = 0.1f;
+  const float h = view.orthographic ? view.halfHeight : kNear * std::tan(glm::radians(view.fov) / 2), w = h * aspect;
+  const float x = 2 * w * shift.x, y = 2 * h * shift.y;
   if (view.orthographic) {
-    rcOrthof(-w, w, -h, h, 0, 1);
+    rcOrthof(x - w, x + w, y - h, y + h, 0, 1);
   } else {
-    rcuPerspective(view.fov, aspect, 0.1f, 100);
+    rcFrustumf(x - w, x + w, y - h, y + h, kNear, 100);
   }
 }
 

@@ -29,6 +29,15 @@ View framing(const Bounds &bounds, float aspect, float fov, bool zUp, const std:
 // A camera of the file, by number or name. Throws InputError: there is none such.
 View fromFile(const Scene &scene, const Pose &pose, const std::string &camera);
 
-void setView(const View &view, float aspect);
+// Where in its pixel a picture's sample lies, as a share of the picture's width and height.
+using Shift = Vec2;
+
+// Eye and unit direction of the ray through a place of the picture, 0 ... 1 from the lower left.
+struct Sight {
+  Vec3 from, direction;
+};
+Sight sightThrough(const View &view, float aspect, const Vec2 &place);
+
+void setView(const View &view, float aspect, const Shift &shift = Shift(0));
 
 }  // namespace rc::tool

@@ -93,6 +93,10 @@ void checkPictureName(const std::string &name) {
   if (name != "-") formatOf(name);
 }
 
+void checkFolder(const std::string &name) {
+  if (!fs::is_directory(name)) reject("{}: is no folder", name);
+}
+
 void writePicture(const Image &image, const std::string &name) {
   const bool standard = name == "-";
   const fs::path place = standard ? fs::temp_directory_path() / "picture.png" : fs::path(name);

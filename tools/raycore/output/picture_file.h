@@ -13,6 +13,9 @@ namespace rc::tool {
 // PNG, JPEG, BMP, PPM, OpenEXR by the name's extension. Throws InputError: another extension.
 void checkPictureName(const std::string &name);
 
+// Throws InputError: it is no folder.
+void checkFolder(const std::string &name);
+
 // Written beside the name and renamed; "-" is standard output, as PNG. Throws InputError.
 void writePicture(const Image &image, const std::string &name);
 

@@ -11,15 +11,18 @@ namespace rc::tool {
 
 class Progress {
  public:
-  Progress(int total, bool quiet);
+  // what: "frame".
+  Progress(const char *what, int total, bool quiet);
   ~Progress();
   Progress(const Progress &) = delete;
   Progress &operator=(const Progress &) = delete;
 
-  void done(int frames, long long rays, double seconds);
+  // count of them are done; rays that were traced, in these seconds, if that is known.
+  void done(int count, long long rays = 0, double seconds = 0);
 
  private:
   bool mShown;
+  const char *mWhat;
   int mTotal;
   std::chrono::steady_clock::time_point mStart;
 };
