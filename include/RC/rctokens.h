@@ -552,5 +552,12 @@
 #define RC_RAY_MATERIAL                               0x5243001C /* name, -1 where there is nothing */
 #define RC_RAY_BOXES                                  0x5243001D /* tested */
 #define RC_RAY_TRIANGLES                              0x5243001E /* tested */
+#define RC_FRAME_TRANSFORM_TIME                       0x5243001F /* rcGet: milliseconds; of drawing: vertices to triangles */
+#define RC_FRAME_PRESENT_TIME                         0x52430020 /* rcGet: milliseconds; of showing the picture before */
+#define RC_FRAME_PRIMARY_TIME                         0x52430021 /* rcGet: milliseconds; of all workers together: rays from the eye */
+#define RC_FRAME_SECONDARY_TIME                       0x52430022 /* rcGet: milliseconds; mirrored, refracted and straight rays */
+#define RC_FRAME_SHADOW_TIME                          0x52430023 /* rcGet: milliseconds; rays towards lights */
+#define RC_FRAME_SHADE_TIME                           0x52430024 /* rcGet: milliseconds; shading and textures */
+#define RC_FRAME_STORE_TIME                           0x52430025 /* rcGet: milliseconds; making rays from pixels, and bytes from colours */
 
 #endif /* RC_RCTOKENS_H */

@@ -93,6 +93,8 @@ void Context::finish() {
   if (mTraced == mObjects->changes) return;
   mLastFrame = mDriver.trace(frameState(), scene, target);
   mLastFrame.emptyDraws = std::exchange(mEmptyDraws, 0);
+  mLastFrame.transformMilliseconds = std::exchange(mTransformMilliseconds, 0);
+  mLastFrame.presentMilliseconds = std::exchange(mPresentMilliseconds, 0);
   mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;
@@ -144,6 +146,8 @@ ddk::FrameState Context::frameState() const {
   frame.mipmaps = state.hints.mipmap != RC_NICEST;
   frame.maxBounces = state.depthBounce;
   frame.samples = samples();
+  frame.measure = mMeasuresUnits || logEnabled(LogLevel::Frame) || tracing();
+  frame.adaptive = state.hints.rendering == RC_FASTEST_AND_NICEST;
   frame.minWeight = minWeightOf(state.hints.rayBounceThreshold);
   if (state.light.lighting) frame.globalAmbient = Rgb(state.light.modelAmbient);
   frame.fog = fogOf(state.fog);

@@ -87,6 +87,10 @@ class Context {
   AccelKind accelKind() const;
   // A draw call had no vertex array, or an array without memory: it draws nothing.
   void noteEmptyDraw() { ++mEmptyDraws; }
+  void noteTransformed(double milliseconds) { mTransformMilliseconds += milliseconds; }
+  void notePresented(double milliseconds) { mPresentMilliseconds = milliseconds; }
+  // From the next frame on it is known where the time goes.
+  void measureUnits() const { mMeasuresUnits = true; }
   // The picture was shown: dynamic geometry ends here.
   void endFrame();
   // Modelview and texture matrix begin anew where the profile says so. [spec 8]
@@ -120,6 +124,8 @@ class Context {
   int mWidth = 0, mHeight = 0;  // of the last picture
   ddk::FrameStats mLastFrame;
   size_t mEmptyDraws = 0;  // since the last picture
+  double mTransformMilliseconds = 0, mPresentMilliseconds = 0;
+  mutable bool mMeasuresUnits = false;  // turned on by a question
   RCenum mError = RC_NO_ERROR;
   Failure mFailure;
   const char *mFunction = "";

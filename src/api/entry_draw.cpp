@@ -8,6 +8,7 @@
 #include "RC/rc.h"
 #include "api/arrays.h"
 #include "api/guard.h"
+#include "base/stopwatch.h"
 #include "rchal/units/coverage.h"
 
 using namespace rc;
@@ -114,7 +115,9 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   call.material = materialFor(context.state, set);
   call.flags = flagsOf(context.state);
   if (context.boundMaterial().textures[ddk::kNormalMap].enabled) call.flags |= hal::kTangentFrame;
+  const Stopwatch watch;
   ddk::appendTriangles(call, set, context.driver().workers());
+  context.noteTransformed(watch.milliseconds());
   context.touch();
 }
 

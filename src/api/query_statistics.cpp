@@ -14,6 +14,15 @@ constexpr QueryRow rays(RCenum name) {
           [](const Context &c, double *v) { v[0] = double(c.lastFrame().rays.*kind); }};
 }
 
+// The workers' time in units. Asking turns the measurement on.
+template <double hal::UnitTimes::*...unit>
+constexpr QueryRow units(RCenum name) {
+  return {name, QueryResult::Kind::Number, 1, [](const Context &c, double *v) {
+            c.measureUnits();
+            v[0] = 1e3 * ((c.lastFrame().rays.times.*unit) + ...);
+          }};
+}
+
 // Of both structures: that of the static scene, and that of what moves.
 template <auto member>
 constexpr QueryRow structure(RCenum name) {
@@ -55,6 +64,13 @@ constexpr QueryRow kRows[] = {
     rays<&hal::RayCounts::straight>(RC_FRAME_RAYS_STRAIGHT),
     number(RC_FRAME_BUILD_TIME, [](const Context &c, double *v) { v[0] = c.lastFrame().buildMilliseconds; }),
     number(RC_FRAME_TRACE_TIME, [](const Context &c, double *v) { v[0] = c.lastFrame().traceMilliseconds; }),
+    number(RC_FRAME_TRANSFORM_TIME, [](const Context &c, double *v) { v[0] = c.lastFrame().transformMilliseconds; }),
+    number(RC_FRAME_PRESENT_TIME, [](const Context &c, double *v) { v[0] = c.lastFrame().presentMilliseconds; }),
+    units<&hal::UnitTimes::primary>(RC_FRAME_PRIMARY_TIME),
+    units<&hal::UnitTimes::secondary>(RC_FRAME_SECONDARY_TIME),
+    units<&hal::UnitTimes::shadow>(RC_FRAME_SHADOW_TIME),
+    units<&hal::UnitTimes::shade>(RC_FRAME_SHADE_TIME),
+    units<&hal::UnitTimes::generate, &hal::UnitTimes::store>(RC_FRAME_STORE_TIME),
     number(RC_STATIC_BUILD_TIME, [](const Context &c, double *v) { v[0] = c.scene.staticBuildMilliseconds(); }),
     number(RC_MEMORY_TRIANGLES,
            [](const Context &c, double *v) {

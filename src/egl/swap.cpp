@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdlib>
 
+#include "base/stopwatch.h"
 #include "egl/capture.h"
 
 namespace rc::egl {
@@ -15,7 +16,9 @@ bool swapBuffers(RenderContext &context, Surface &surface) {
   const int frame = ++swaps;
   const Settings &settings = rc::settings();
   if (!settings.capture.empty()) writePicture(captureName(settings.capture, frame), surface.picture());
+  const Stopwatch watch;
   const bool shown = surface.present();
+  context.api.notePresented(watch.milliseconds());
   context.api.endFrame();
   if (frame == settings.frames || surface.closeRequested()) std::exit(EXIT_SUCCESS);
   return shown;

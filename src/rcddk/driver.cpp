@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "base/stopwatch.h"
+#include "rcddk/brightness.h"
 
 namespace rc::ddk {
 namespace {
@@ -26,6 +27,8 @@ class Snapshot {
     mView.clearColor = state.clearColor;
     mView.maxBounces = state.maxBounces;
     mView.samples = state.samples;
+    mView.adaptive = state.adaptive;
+    mView.measure = state.measure;
     mView.minWeight = state.minWeight;
     mView.globalAmbient = state.globalAmbient;
     mView.fog = state.fog;
@@ -33,6 +36,8 @@ class Snapshot {
     mView.writeMask = state.writeMask;
     mView.shadows = state.shadows;
     mView.mipmaps = state.mipmaps;
+    // Half a step of a byte.
+    mView.ignorable = 0.5f / 256 / brightest(mView);
   }
   Snapshot(const Snapshot &) = delete;
   Snapshot &operator=(const Snapshot &) = delete;

@@ -29,6 +29,8 @@ struct FrameState {
   bool mipmaps = true;
   int maxBounces = 10;
   int samples = 1;
+  bool adaptive = false;
+  bool measure = false;  // where the time goes
   float minWeight = 0;
   Rgb globalAmbient{0};
   hal::Fog fog;

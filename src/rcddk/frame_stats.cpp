@@ -29,6 +29,22 @@ std::string milliseconds(double value) {
   return text;
 }
 
+// Of the workers' time; nothing where it was not measured.
+std::string shares(const hal::UnitTimes &times) {
+  if (times.all() <= 0) return "";
+  const struct {
+    double seconds;
+    const char *unit;
+  } rows[] = {{times.primary, "primary"}, {times.secondary, "secondary"}, {times.shadow, "shadow"},
+              {times.shade, "shade"},     {times.generate, "generate"},   {times.store, "store"}};
+  std::string text;
+  for (const auto &row : rows) {
+    text += (text.empty() ? " (" : ", ") + std::string(row.unit) + " " +
+            count(uint64_t(100 * row.seconds / times.all() + 0.5)) + " %";
+  }
+  return text + ")";
+}
+
 }  // namespace
 
 std::string describe(const FrameStats &f) {
@@ -42,7 +58,10 @@ std::string describe(const FrameStats &f) {
           count(f.rays.primaryHits) + " met something, " + count(f.rays.shadow) + " shadow, " +
           count(f.rays.reflected) + " reflected, " + count(f.rays.refracted) + " refracted, " + count(f.rays.straight) +
           " straight on)";
-  return text + ", build " + milliseconds(f.buildMilliseconds) + ", trace " + milliseconds(f.traceMilliseconds);
+  text += ", transform " + milliseconds(f.transformMilliseconds) + ", build " + milliseconds(f.buildMilliseconds) +
+          ", trace " + milliseconds(f.traceMilliseconds) + shares(f.rays.times);
+  if (f.presentMilliseconds > 0) text += ", present (frame before) " + milliseconds(f.presentMilliseconds);
+  return text;
 }
 
 }  // namespace rc::ddk

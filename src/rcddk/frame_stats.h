@@ -31,7 +31,9 @@ struct FrameStats {
   size_t lights = 0;
   bool defaultLight = false;  // it is the only one
   hal::RayCounts rays;
+  double transformMilliseconds = 0;  // of the draw calls since the last frame
   double buildMilliseconds = 0, traceMilliseconds = 0;
+  double presentMilliseconds = 0;  // of the frame before
 };
 
 // "800 x 480, 12 triangles (8 static, 4 dynamic), ..."

@@ -20,10 +20,27 @@ struct Target {
   int width = 0, height = 0;
 };
 
-// Rays of one frame, by kind.
+// Seconds of all workers together, by unit; only where the frame is to be measured.
+struct UnitTimes {
+  double generate = 0, primary = 0, secondary = 0, shade = 0, shadow = 0, store = 0;
+
+  double all() const { return generate + primary + secondary + shade + shadow + store; }
+  UnitTimes &operator+=(const UnitTimes &other) {
+    generate += other.generate;
+    primary += other.primary;
+    secondary += other.secondary;
+    shade += other.shade;
+    shadow += other.shadow;
+    store += other.store;
+    return *this;
+  }
+};
+
+// Rays of one frame, by kind, and where the time went.
 struct RayCounts {
   uint64_t primary = 0, shadow = 0, reflected = 0, refracted = 0, straight = 0;
   uint64_t primaryHits = 0;  // primary rays that met something
+  UnitTimes times;
 
   uint64_t all() const { return primary + shadow + reflected + refracted + straight; }
   RayCounts &operator+=(const RayCounts &other) {
@@ -33,6 +50,7 @@ struct RayCounts {
     refracted += other.refracted;
     straight += other.straight;
     primaryHits += other.primaryHits;
+    times += other.times;
     return *this;
   }
 };

@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "rchal/framebuffer.h"
 #include "rchal/tile.h"
 #include "rchal/units/ray_generation.h"
@@ -24,11 +25,12 @@ namespace rc::hal {
 // How a device does the work of the units, a batch at a time. This one asks the scalar units, item by item.
 struct ScalarUnits {
   // A ray through each pixel of the tile, in their order.
-  static void generate(const CameraView &camera, const Tile &tile, const TilePixels &pixels, Vec2 offset,
+  static void generate(const SceneView &scene, const Tile &tile, const TilePixels &pixels, Vec2 offset,
                        RayQueue &rays) {
     for (size_t i = 0; i < pixels.size(); ++i) {
-      RayItem item = primaryRay(camera, tile.column + pixels.column[i], tile.row + pixels.row[i], offset);
+      RayItem item = primaryRay(scene.camera, tile.column + pixels.column[i], tile.row + pixels.row[i], offset);
       item.pixel = static_cast<uint32_t>(i);
+      item.tolerance = scene.ignorable;
       rays.push(item);
     }
   }
@@ -61,14 +63,14 @@ class TileTracer {
     mPixels.arrange(tile.columns, tile.rows);
     mQueues.resize(std::max(mQueues.size(), size_t(scene.maxBounces) + 2));
     mShadows.resize(std::max(mShadows.size(), scene.lights.size()));
-    for (int sample = 0; sample < scene.samples; ++sample) {
-      mSum.clear(mPixels.size());
-      mUnits.generate(scene.camera, tile, mPixels, samplePosition(sample, scene.samples), mQueues[0]);
-      mCounts.primary += mPixels.size();
-      traceGenerations(scene);
-      if (scene.samples > 1) addSample(sample);
+    if (scene.samples == 1) {
+      traceSample(scene, tile, mPixels, {0, 0});
+    } else {
+      mPicture.clear(mPixels.size());
+      choosePixels(scene, tile);
+      traceSamples(scene, tile);
     }
-    store(scene, tile, target);
+    timed(scene, &UnitTimes::store, [&] { store(scene, tile, target); });
   }
 
   const RayCounts &counts() const { return mCounts; }
@@ -85,6 +87,65 @@ class TileTracer {
     }
   };
 
+  template <class Work>
+  void timed(const SceneView &scene, double UnitTimes::*unit, Work &&work) {
+    if (!scene.measure) return work();
+    const Stopwatch watch;
+    work();
+    mCounts.times.*unit += watch.milliseconds() * 1e-3;
+  }
+
+  // A ray through each of the pixels; what it brings is in mSum, in their order.
+  void traceSample(const SceneView &scene, const Tile &tile, const TilePixels &pixels, Vec2 offset) {
+    mSum.clear(pixels.size());
+    timed(scene, &UnitTimes::generate, [&] { mUnits.generate(scene, tile, pixels, offset, mQueues[0]); });
+    mCounts.primary += pixels.size();
+    traceGenerations(scene);
+  }
+
+  // Pixels that get all samples: all of them, or those whose corners look different; the others get what the corners
+  // show. A corner is where a single sample would be, for four pixels at once.
+  void choosePixels(const SceneView &scene, const Tile &tile) {
+    mChosen.clear();
+    mPlaces.clear();
+    if (scene.adaptive) {
+      mCorners.arrange(tile.columns + 1, tile.rows + 1);
+      traceSample(scene, tile, mCorners, {0, 0});
+    }
+    for (size_t i = 0; i < mPixels.size(); ++i) {
+      const int x = mPixels.column[i], y = mPixels.row[i];
+      if (scene.adaptive && takeCorners(x, y, i, static_cast<float>(scene.samples))) continue;
+      mChosen.add(x, y);
+      mPlaces.push_back(i);
+    }
+  }
+
+  // Colours closer than this look the same.
+  static constexpr float kSameColour = 3.0f / 256;
+
+  bool takeCorners(int x, int y, size_t pixel, float samples) {
+    Rgb least(1), most(0), sum(0);
+    for (const auto &[dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+      const Rgb colour = glm::clamp(mSum.view()[mCorners.placeOf(x + dx, y + dy)], 0.0f, 1.0f);
+      least = glm::min(least, colour);
+      most = glm::max(most, colour);
+      sum += colour;
+    }
+    if (maxComponent(most - least) > kSameColour) return false;
+    mPicture.view().add(pixel, sum * (samples / 4));
+    return true;
+  }
+
+  // Samples are cut off at 1 one by one: a light in a mirror shall not outshine its edge.
+  void traceSamples(const SceneView &scene, const Tile &tile) {
+    const PixelSums picture = mPicture.view();
+    for (int sample = 0; sample < scene.samples; ++sample) {
+      traceSample(scene, tile, mChosen, samplePosition(sample, scene.samples));
+      const PixelSums sums = mSum.view();
+      for (size_t i = 0; i < mChosen.size(); ++i) picture.add(mPlaces[i], glm::clamp(sums[i], 0.0f, 1.0f));
+    }
+  }
+
   void traceGenerations(const SceneView &scene) {
     for (;;) {
       size_t deepest = mQueues.size();
@@ -98,20 +159,16 @@ class TileTracer {
   void traceBatch(const SceneView &scene, int bounces, RayQueue &queue, RayQueue &next) {
     queue.takeLast(std::min(queue.size(), mBatch), mRays);
     mHits.resize(mRays.size());
-    mUnits.closestHits(scene, mRays, mHits);
-    mUnits.shade(scene, mRays, mHits, {mSum.view(), mShadows, queue, next, mCounts, bounces});
+    timed(scene, bounces == 0 ? &UnitTimes::primary : &UnitTimes::secondary,
+          [&] { mUnits.closestHits(scene, mRays, mHits); });
+    timed(scene, &UnitTimes::shade, [&] {
+      mUnits.shade(scene, mRays, mHits, {mSum.view(), mShadows, queue, next, mCounts, bounces});
+    });
     for (size_t light = 0; light < scene.lights.size(); ++light) {
       if (mShadows[light].size() == 0) continue;
-      mUnits.addVisible(scene, mShadows[light], mSum.view());
+      timed(scene, &UnitTimes::shadow, [&] { mUnits.addVisible(scene, mShadows[light], mSum.view()); });
       mShadows[light].resize(0);
     }
-  }
-
-  // Several samples are cut off at 1 one by one: a light in a mirror shall not outshine its edge.
-  void addSample(int sample) {
-    if (sample == 0) mPicture.clear(mPixels.size());
-    const PixelSums sums = mSum.view(), picture = mPicture.view();
-    for (size_t i = 0; i < mPixels.size(); ++i) picture.add(i, glm::clamp(sums[i], 0.0f, 1.0f));
   }
 
   void store(const SceneView &scene, const Tile &tile, const Target &target) {
@@ -135,7 +192,9 @@ class TileTracer {
 
   size_t mBatch;
   Units mUnits;
-  TilePixels mPixels;
+  TilePixels mPixels;             // all of the tile
+  TilePixels mCorners, mChosen;   // of several samples: where pixels meet; those that get all samples
+  std::vector<size_t> mPlaces;    // of the chosen ones in the tile
   std::vector<RayQueue> mQueues;  // by number of bounces
   RayQueue mRays;                 // the batch in hand
   HitQueue mHits;

@@ -34,6 +34,7 @@ struct RayItem {
   float coneWidth = 0;     // diameter of the footprint at the origin, world units
   float coneSpread = 0;    // growth of it for each unit of distance; below 0 it narrows to a focus
   float travelled = 0;     // way from the eye to the origin, or from its plane
+  float tolerance = 0;     // rays from its hit may be left out if they count for less
   uint32_t pixel = 0;      // within the tile
 };
 
@@ -42,7 +43,7 @@ struct RayQueue {
   Vec3Column origin, direction, weight;
   Column<float> afterT;
   Column<uint32_t> afterPrimitive, afterSeen;
-  Column<float> coneWidth, coneSpread, travelled;
+  Column<float> coneWidth, coneSpread, travelled, tolerance;
   Column<uint32_t> pixel;
 
   size_t size() const { return pixel.size(); }
@@ -56,6 +57,7 @@ struct RayQueue {
     coneWidth.push_back(item.coneWidth);
     coneSpread.push_back(item.coneSpread);
     travelled.push_back(item.travelled);
+    tolerance.push_back(item.tolerance);
     pixel.push_back(item.pixel);
   }
   RayItem operator[](size_t i) const {
@@ -66,6 +68,7 @@ struct RayQueue {
             .coneWidth = coneWidth[i],
             .coneSpread = coneSpread[i],
             .travelled = travelled[i],
+            .tolerance = tolerance[i],
             .pixel = pixel[i]};
   }
   Ray ray(size_t i) const { return {origin[i], direction[i]}; }
@@ -90,7 +93,8 @@ struct RayQueue {
       visit(queues.direction.*column...);
       visit(queues.weight.*column...);
     }
-    for (auto column : {&RayQueue::afterT, &RayQueue::coneWidth, &RayQueue::coneSpread, &RayQueue::travelled}) {
+    for (auto column :
+         {&RayQueue::afterT, &RayQueue::coneWidth, &RayQueue::coneSpread, &RayQueue::travelled, &RayQueue::tolerance}) {
       visit(queues.*column...);
     }
     for (auto column : {&RayQueue::afterPrimitive, &RayQueue::afterSeen, &RayQueue::pixel}) visit(queues.*column...);

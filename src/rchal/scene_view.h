@@ -141,8 +141,11 @@ struct SceneView {
   CameraView camera;
   Rgb clearColor{0};
   int maxBounces = 10;
-  int samples = 1;      // a pixel
-  float minWeight = 0;  // secondary rays whose weight is below are dropped
+  int samples = 1;        // a pixel
+  bool adaptive = false;  // several samples only where the corners of a pixel differ
+  float minWeight = 0;    // secondary rays whose weight is below are dropped
+  float ignorable = 0;    // rays of a pixel that together weigh no more are dropped: nobody can see it
+  bool measure = false;   // RayCounts::times are wanted
   bool shadows = true;
   bool mipmaps = true;
   Rgb globalAmbient{0};  // light without a source, for the ambient colour

@@ -26,7 +26,20 @@ class TilePixels {
       for (int x = 0; x < columns; x += kBlock) addBlock(x, y);
     }
   }
+  // Some of another tile's pixels, in its order.
+  void clear() { arrange(0, 0); }
+  void add(int32_t x, int32_t y) {
+    column.push_back(x);
+    row.push_back(y);
+    mColumns = -1;
+  }
   size_t size() const { return column.size(); }
+  // The place of a pixel in the order of a whole tile.
+  size_t placeOf(int x, int y) const {
+    const int left = x / kBlock * kBlock, bottom = y / kBlock * kBlock;
+    const int height = std::min(kBlock, mRows - bottom), width = std::min(kBlock, mColumns - left);
+    return size_t(bottom * mColumns + left * height + (y - bottom) * width + x - left);
+  }
 
   Column<int32_t> column, row;  // within the tile
 

@@ -56,6 +56,25 @@ TEST_F(StatisticsTest, KindsOfRaysSumUp) {
   EXPECT_GE(floats(RC_FRAME_BUILD_TIME, 1)[0], 0);
 }
 
+TEST_F(StatisticsTest, UnitsAreMeasuredOnceSomebodyHasAsked) {
+  constexpr RCenum kUnits[] = {RC_FRAME_PRIMARY_TIME, RC_FRAME_SECONDARY_TIME, RC_FRAME_SHADOW_TIME,
+                               RC_FRAME_SHADE_TIME, RC_FRAME_STORE_TIME};
+  pixelCamera();
+  lightFrom(5, 5, 10, 1, 1);
+  drawQuad({0, 0, 10, 10});
+  EXPECT_EQ(floats(RC_FRAME_TRANSFORM_TIME, 1)[0], 0) << "there was no frame";
+  rcFinish();
+  EXPECT_GT(floats(RC_FRAME_TRANSFORM_TIME, 1)[0], 0);
+  for (const RCenum unit : kUnits) EXPECT_EQ(floats(unit, 1)[0], 0) << "nobody had asked";
+  rcClearColor(0, 0, 1, 1);
+  rcFinish();
+  EXPECT_GT(floats(RC_FRAME_PRIMARY_TIME, 1)[0], 0);
+  EXPECT_EQ(floats(RC_FRAME_SECONDARY_TIME, 1)[0], 0) << "no mirror";
+  EXPECT_GT(floats(RC_FRAME_SHADOW_TIME, 1)[0], 0);
+  EXPECT_GT(floats(RC_FRAME_SHADE_TIME, 1)[0], 0);
+  EXPECT_GT(floats(RC_FRAME_STORE_TIME, 1)[0], 0);
+}
+
 TEST_F(StatisticsTest, StructuresAreDescribed) {
   pixelCamera();
   for (const RCenum name : {RC_STRUCTURE_NODES, RC_STRUCTURE_LEAVES, RC_STRUCTURE_DEPTH, RC_STRUCTURE_COST,

@@ -6,6 +6,7 @@
 #include <hwy/targets.h>
 
 #include "rcddi/random_scenes.h"
+#include "rcddk/brightness.h"
 
 namespace rc::test {
 namespace {
@@ -37,7 +38,18 @@ int largestDifference(const Picture &a, const Picture &b) {
   return largest;
 }
 
+double meanDifference(const Picture &a, const Picture &b) {
+  double sum = 0;
+  for (size_t i = 0; i < a.pixels.size(); ++i) {
+    for (int shift = 0; shift < 24; shift += 8) {
+      sum += std::abs(int(a.pixels[i] >> shift & 255) - int(b.pixels[i] >> shift & 255));
+    }
+  }
+  return sum / double(3 * a.pixels.size());
+}
+
 class Shading : public testing::TestWithParam<uint32_t> {};
+class FewerRays : public testing::TestWithParam<uint32_t> {};
 
 TEST_P(Shading, CpuAgreesWithRefOnEachInstructionSet) {
   const RandomScene scene(GetParam());
@@ -61,7 +73,35 @@ TEST_P(Shading, ThreadsDoNotChangeABit) {
   for (const int threads : {2, 5}) EXPECT_EQ(render("cpu", threads, scene.view()).pixels, one.pixels);
 }
 
+// The same choice of pixels on every device, and hardly another picture than with all samples everywhere.
+TEST_P(FewerRays, AdaptiveSamplesAreWhereTheyAreSeen) {
+  const RandomScene scene(GetParam());
+  SceneView view = scene.view();
+  view.samples = 4;
+  const Picture everywhere = render("cpu", 1, view);
+  view.adaptive = true;
+  const Picture adaptive = render("cpu", 1, view);
+  EXPECT_LE(largestDifference(adaptive, render("ref", 1, view)), 1);
+  EXPECT_LE(meanDifference(adaptive, everywhere), 1);
+  EXPECT_LT(adaptive.counts.primary, everywhere.counts.primary + size_t(kWidth + 3) * (kHeight + 2));
+}
+
+TEST_P(FewerRays, RaysThatAreLeftOutAreNotMissed) {
+  const RandomScene scene(GetParam());
+  SceneView view = scene.view();
+  view.maxBounces = 9;
+  view.minWeight = 0;
+  view.ignorable = 0;
+  const Picture all = render("cpu", 1, view);
+  view.ignorable = 0.5f / 256 / ddk::brightest(view);
+  const Picture fewer = render("cpu", 1, view);
+  EXPECT_LE(largestDifference(all, fewer), 1);
+  EXPECT_LE(fewer.counts.all(), all.counts.all());
+  EXPECT_LE(largestDifference(fewer, render("ref", 1, view)), 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Shading, testing::Range(uint32_t{1}, uint32_t{41}));
+INSTANTIATE_TEST_SUITE_P(Scenes, FewerRays, testing::Range(uint32_t{20}, uint32_t{30}));
 
 }  // namespace
 }  // namespace rc::test

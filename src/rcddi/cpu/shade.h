@@ -11,7 +11,7 @@
 namespace rc::ddi::cpu {
 
 // A ray through each pixel of the tile.
-void generate(const hal::CameraView &camera, const hal::Tile &tile, const hal::TilePixels &pixels, Vec2 offset,
+void generate(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels, Vec2 offset,
               hal::RayQueue &rays);
 
 // Everything that becomes of rays whose nearest hits are known.

@@ -23,6 +23,13 @@ struct Outputs {
   int bounces;  // of the rays whose hits these are: how often they were reflected or refracted
 };
 
+// What rays may be left out for (RayItem::tolerance) is shared among the rays that may leave a hit: all that are left
+// out behind it weigh no more than it may lack.
+inline int secondaryKinds(const MaterialRow &material, bool last) {
+  return last ? 0 : (maxComponent(material.reflection) > 0) + (maxComponent(material.transmittance) > 0);
+}
+inline float shareOf(int rays) { return rays > 1 ? 1 / static_cast<float>(rays) : 1; }
+
 class Shader {
  public:
   Shader(const SceneView &scene, const RayItem &item, const Hit &hit, const Outputs &out)
@@ -41,6 +48,8 @@ class Shader {
     if (mMaterial->texture != kNoTexture) readTexel();
     mCoverage = coverage(mTriangle->flags, mPoint.front, mCoverage);
     if (item.afterSeen && isSameSurface(scene, item.after, hit)) mCoverage = 0;
+    const bool last = out.bounces >= scene.maxBounces;
+    mTolerance = item.tolerance * shareOf(secondaryKinds(*mMaterial, last) + (mCoverage < 1));
     if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal();
   }
 
@@ -135,6 +144,7 @@ class Shader {
     next.after = {mHit.t, mHit.primitive};
     next.afterSeen = mCoverage > 0;
     next.weight = mItem.weight * (1 - mCoverage);
+    next.tolerance = mTolerance;
     mOut.sameBounce.push(next);
     ++mOut.counts.straight;
   }
@@ -142,7 +152,7 @@ class Shader {
   // Whether a secondary ray of this weight is worth tracing.
   bool counts(const Rgb &weight) const {
     const float strongest = maxComponent(weight);
-    return strongest > 0 && strongest >= mScene.minWeight;
+    return strongest > mTolerance && strongest >= mScene.minWeight;
   }
 
   float curvatureHere() const { return curvature(*mTriangle, *mAttributes, mPoint.flatNormal); }
@@ -179,6 +189,7 @@ class Shader {
     next.ray.direction = normalizedOr(direction, mPoint.flatNormal);
     next.ray.origin = mPoint.start(next.ray.direction);
     next.weight = weight;
+    next.tolerance = mTolerance;
     next.after = {};
     next.afterSeen = false;
     next.coneWidth = mConeWidth;
@@ -200,6 +211,7 @@ class Shader {
   Rgb mTexel{0};
   float mTexelAlpha = 1;
   float mCoverage = 1;  // share of the surface that is there
+  float mTolerance;     // of each ray that leaves
   bool mTextured = false;
 };
 

@@ -26,10 +26,11 @@ HWY_INLINE F windowPosition(float start, float size, int first, float offset, in
 }
 
 // All columns but origin and direction are the same for all rays of a camera; hal::primaryRay() tells them.
-HWY_INLINE void generateRays(const hal::CameraView &camera, const hal::Tile &tile, const hal::TilePixels &pixels,
+HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
                              Vec2 offset, hal::RayQueue &rays) {
   const FTag d;
   const UTag du;
+  const hal::CameraView &camera = scene.camera;
   rays.resize(pixels.size());
   const hal::RayItem one = hal::primaryRay(camera, tile.column, tile.row, offset);
   for (size_t i = 0; i < pixels.size(); i += lanes()) {
@@ -57,6 +58,7 @@ HWY_INLINE void generateRays(const hal::CameraView &camera, const hal::Tile &til
     hn::StoreU(all(one.coneWidth), d, &rays.coneWidth[i]);
     hn::StoreU(all(one.coneSpread), d, &rays.coneSpread[i]);
     hn::StoreU(all(one.travelled), d, &rays.travelled[i]);
+    hn::StoreU(all(scene.ignorable), d, &rays.tolerance[i]);
     hn::StoreU(hn::Iota(du, static_cast<uint32_t>(i)), du, &rays.pixel[i]);
   }
 }

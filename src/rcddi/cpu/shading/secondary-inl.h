@@ -17,7 +17,7 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 // A ray for each lane of the mask; the queue has room for a vector. Returns how many.
 HWY_INLINE size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight, F coneWidth, F coneSpread,
-                           F travelled, U pixel, M asked, hal::RayQueue &queue) {
+                           F travelled, F tolerance, U pixel, M asked, hal::RayQueue &queue) {
   const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
   append(origin, asked, end, queue.origin);
   append(direction, asked, end, queue.direction);
@@ -25,6 +25,7 @@ HWY_INLINE size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weig
   append(coneWidth, asked, end, queue.coneWidth);
   append(coneSpread, asked, end, queue.coneSpread);
   append(travelled, asked, end, queue.travelled);
+  append(tolerance, asked, end, queue.tolerance);
   append(pixel, asked, end, queue.pixel);
   hn::StoreU(zero(), FTag(), queue.afterT.data() + end);
   hn::StoreU(hn::Set(UTag(), hal::kNoPrimitive), UTag(), queue.afterPrimitive.data() + end);
@@ -34,13 +35,14 @@ HWY_INLINE size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weig
 }
 
 // The same rays, for what lies behind these hits. weight: what is left for them.
-HWY_INLINE void goStraightOn(const Shading &shading, const RayLanes &rays, const V3 &weight, M seen, M asked) {
+HWY_INLINE void goStraightOn(const Shading &shading, const RayLanes &rays, const V3 &weight, F tolerance, M seen,
+                             M asked) {
   const hal::RayQueue &from = shading.rays;
   hal::RayQueue &queue = shading.out.sameBounce;
   const size_t end = queue.size();
-  const size_t count =
-      pushRays(load(from.origin, rays.first), rays.direction, weight, load(from.coneWidth, rays.first),
-               load(from.coneSpread, rays.first), load(from.travelled, rays.first), rays.pixel, asked, queue);
+  const size_t count = pushRays(load(from.origin, rays.first), rays.direction, weight, load(from.coneWidth, rays.first),
+                                load(from.coneSpread, rays.first), load(from.travelled, rays.first), tolerance,
+                                rays.pixel, asked, queue);
   const U one = hn::Set(UTag(), 1);
   append(rays.t, asked, end, queue.afterT);
   append(rays.primitive, asked, end, queue.afterPrimitive);
@@ -49,22 +51,23 @@ HWY_INLINE void goStraightOn(const Shading &shading, const RayLanes &rays, const
 }
 
 // Lanes whose secondary rays are worth tracing.
-HWY_INLINE M worthTracing(const hal::SceneView &scene, const V3 &weight, M asked) {
+HWY_INLINE M worthTracing(const hal::SceneView &scene, const V3 &weight, F tolerance, M asked) {
   const F strongest = maxComponent(weight);
-  return hn::And(asked, hn::And(hn::Gt(strongest, zero()), hn::Ge(strongest, all(scene.minWeight))));
+  return hn::And(asked, hn::And(hn::Gt(strongest, tolerance), hn::Ge(strongest, all(scene.minWeight))));
 }
 
 class Secondary {
  public:
-  HWY_INLINE Secondary(const Shading &shading, const RayLanes &rays, const SurfaceLanes &surface, M asked)
+  HWY_INLINE Secondary(const Shading &shading, const RayLanes &rays, const SurfaceLanes &surface, F tolerance, M asked)
       : mShading(shading),
         mRays(rays),
         mSurface(surface),
+        mTolerance(tolerance),
         mTravelled(hn::Add(load(shading.rays.travelled, rays.first), rays.t)),
         mCurvature(shading.cones ? curvature(surface, asked) : zero()) {}
 
   HWY_INLINE void reflect(const V3 &weight, M asked) const {
-    const M traced = worthTracing(mShading.scene, weight, asked);
+    const M traced = worthTracing(mShading.scene, weight, mTolerance, asked);
     if (none(traced)) return;
     const V3 &d = mRays.direction;
     V3 mirrored = d - hn::Mul(all(2), dot(d, mSurface.normal)) * mSurface.normal;
@@ -77,7 +80,7 @@ class Secondary {
 
   // eta: index before / index behind; root: the square root of Snell's law.
   HWY_INLINE void refract(const V3 &weight, F eta, F cosine, F root, M asked) const {
-    const M traced = worthTracing(mShading.scene, weight, asked);
+    const M traced = worthTracing(mShading.scene, weight, mTolerance, asked);
     if (none(traced)) return;
     V3 bent = eta * mRays.direction + hn::Sub(hn::Mul(eta, cosine), root) * mSurface.normal;
     const F depth = dot(bent, mSurface.flatNormal);
@@ -90,22 +93,22 @@ class Secondary {
  private:
   HWY_INLINE size_t bounce(const V3 &weight, const V3 &direction, F coneSpread, M traced) const {
     const V3 unit = normalizedOr(direction, mSurface.flatNormal);
-    return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mRays.pixel, traced,
-                    mShading.out.nextBounce);
+    return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mTolerance,
+                    mRays.pixel, traced, mShading.out.nextBounce);
   }
 
   const Shading &mShading;
   const RayLanes &mRays;
   const SurfaceLanes &mSurface;
-  F mTravelled, mCurvature;
+  F mTolerance, mTravelled, mCurvature;
 };
 
 // weight: of what arrives at the surface.
 HWY_INLINE void reflectAndRefract(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
-                                  const SurfaceLanes &surface, const V3 &weight, M shaded) {
+                                  const SurfaceLanes &surface, const V3 &weight, F tolerance, M shaded) {
   const bool mirrors = rc::maxComponent(material.reflection) > 0, bends = rc::maxComponent(material.transmittance) > 0;
   if (!mirrors && !bends) return;
-  const Secondary secondary(shading, rays, surface, shaded);
+  const Secondary secondary(shading, rays, surface, tolerance, shaded);
   const V3 reflected = weight * all(material.reflection);
   if (!bends) return secondary.reflect(reflected, shaded);
   const V3 refracted = weight * all(material.transmittance);

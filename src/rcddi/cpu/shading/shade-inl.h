@@ -160,7 +160,8 @@ HWY_INLINE void shadeLocal(const Shading &shading, const hal::MaterialRow &mater
 }
 
 HWY_INLINE void shadeSurface(const Shading &shading, const Kind &kind, const RayLanes &rays,
-                             const SurfaceLanes &surface, const TexelLanes &texel, const V3 &weight, M shaded) {
+                             const SurfaceLanes &surface, const TexelLanes &texel, const V3 &weight, F tolerance,
+                             M shaded) {
   const hal::MaterialRow &material = *kind.material;
   if (kind.hasTexture() && kind.flags & hal::kTextureOnly) {
     return addToPixels(weight * texel.rgb, shaded, rays.pixel, shading.out.sums);
@@ -177,7 +178,7 @@ HWY_INLINE void shadeSurface(const Shading &shading, const Kind &kind, const Ray
   }
   if (!shading.last) colours.weight = weight * all(Rgb(1) - material.reflection - material.transmittance);
   shadeLocal(shading, material, rays, surface, colours, shaded);
-  if (!shading.last) reflectAndRefract(shading, material, rays, surface, weight, shaded);
+  if (!shading.last) reflectAndRefract(shading, material, rays, surface, weight, tolerance, shaded);
 }
 
 // The lanes of one kind. straight: rays that went on behind an earlier hit.
@@ -200,11 +201,14 @@ HWY_INLINE void shadeKind(const Shading &shading, const Kind &kind, const RayLan
     surface.normal = select(kind.lanes, bentNormals(shading, kind, rays, surface), surface.normal);
 
   const M missing = hn::And(kind.lanes, hn::Lt(there, all(1)));
-  if (none(missing)) return shadeSurface(shading, kind, rays, surface, texel, rays.weight, kind.lanes);
-  goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, hn::Gt(there, zero()), missing);
+  const int others = hal::secondaryKinds(material, shading.last);
+  const F tolerance = hn::Mul(load(shading.rays.tolerance, rays.first),
+                              select(missing, all(hal::shareOf(others + 1)), all(hal::shareOf(others))));
+  if (none(missing)) return shadeSurface(shading, kind, rays, surface, texel, rays.weight, tolerance, kind.lanes);
+  goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, tolerance, hn::Gt(there, zero()), missing);
   const V3 weight = there * rays.weight;
   const M shaded = hn::And(kind.lanes, hn::Gt(maxComponent(weight), zero()));
-  if (!none(shaded)) shadeSurface(shading, kind, rays, surface, texel, weight, shaded);
+  if (!none(shaded)) shadeSurface(shading, kind, rays, surface, texel, weight, tolerance, shaded);
 }
 
 // One vector of rays.

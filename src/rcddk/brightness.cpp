@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "rcddk/brightness.h"
+
+namespace rc::ddk {
+namespace {
+
+using namespace rc::hal;
+
+// The largest values of the materials; texels may take the place of ambient and diffuse.
+struct Surfaces {
+  float ambient = 1, diffuse = 1, specular = 0, emission = 0;
+
+  void add(std::span<const MaterialRow> rows) {
+    for (const MaterialRow &row : rows) {
+      ambient = std::max(ambient, maxComponent(row.ambient));
+      diffuse = std::max(diffuse, maxComponent(row.diffuse));
+      specular = std::max(specular, maxComponent(row.specular));
+      emission = std::max(emission, maxComponent(row.emission));
+    }
+  }
+};
+
+// The least that a light is weakened by.
+float leastAttenuation(const LightRow &light) {
+  if (light.directional) return 1;
+  if (light.constant == 0 && light.linear == 0 && light.quadratic == 0) return 1;
+  if (light.constant <= 0 || light.linear < 0 || light.quadratic < 0) return kInfinity;
+  return 1 / light.constant;
+}
+
+}  // namespace
+
+float brightest(const SceneView &scene) {
+  Surfaces surfaces;
+  surfaces.add(scene.materials);
+  for (const GeometryView &geometry : scene.geometry) surfaces.add(geometry.captured);
+  float most = surfaces.emission + surfaces.ambient * maxComponent(scene.globalAmbient);
+  for (const LightRow &light : scene.lights) {
+    const float onSurface = surfaces.ambient * maxComponent(light.ambient) +
+                            surfaces.diffuse * maxComponent(light.diffuse) +
+                            surfaces.specular * maxComponent(light.specular);
+    if (onSurface > 0) most += onSurface * leastAttenuation(light);
+  }
+  return std::max({1.0f, most, maxComponent(scene.clearColor), maxComponent(scene.fog.color)});
+}
+
+}  // namespace rc::ddk
