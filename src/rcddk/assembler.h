@@ -98,6 +98,7 @@ class Assembler {
       triangle.flags |= hal::kHasNormals;
     }
     mOut.triangles[mOut.count] = triangle;
+    hal::setPlane(triangle, attributes);
     mOut.attributes[mOut.count] = attributes;
     ++mOut.count;
   }

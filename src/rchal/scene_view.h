@@ -46,11 +46,20 @@ static_assert(sizeof(HotTriangle) == 48);
 
 // Cold: what only the nearest hit needs.
 struct TriangleAttributes {
-  Vec3 normal[3];  // 36  unit length, valid with kHasNormals
-  Vec2 uv[3];      // 24
-  Rgb color[3];    // 36  valid with kHasColors
+  Vec3 normal[3];    // 36  unit length, valid with kHasNormals
+  Vec2 uv[3];        // 24
+  Rgb color[3];      // 36  valid with kHasColors
+  Vec3 flatNormal;   // 12  unit length, on the counter-clockwise side
+  float doubleArea;  //  4
 };
-static_assert(sizeof(TriangleAttributes) == 96);
+static_assert(sizeof(TriangleAttributes) == 112);
+
+// flatNormal and doubleArea of a triangle that has an area.
+inline void setPlane(const HotTriangle &triangle, TriangleAttributes &attributes) {
+  const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
+  attributes.doubleArea = glm::length(edges);
+  attributes.flatNormal = edges / attributes.doubleArea;
+}
 
 inline constexpr uint32_t kNamedMaterials = 512;
 inline constexpr int32_t kNoTexture = -1;

@@ -124,6 +124,7 @@ struct TestScene {
 
   const hal::SceneView &update() {
     bool filters = false;
+    for (size_t i = 0; i < triangles.size(); ++i) hal::setPlane(triangles[i], attributes[i]);
     for (const hal::HotTriangle &t : triangles) filters |= (t.flags & hal::kFiltersShadow) != 0;
     view.geometry[0] = {triangles, attributes, {}, accel.view(), filters};
     view.materials = materials;

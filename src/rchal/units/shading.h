@@ -84,7 +84,7 @@ class Shader {
     float lod = 0;
     if (mScene.mipmaps && texture.levelCount > 1) {
       const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
-      lod = levelOfDetail(*mTriangle, *mAttributes, texture, mConeWidth, cosine);
+      lod = levelOfDetail(*mAttributes, texture, mConeWidth, cosine);
     }
     return sampleTexture(texture, mPoint.uv, wraps, lod);
   }

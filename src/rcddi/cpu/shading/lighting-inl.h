@@ -43,6 +43,11 @@ HWY_INLINE F attenuation(const hal::LightRow &light, F distance) {
   return hn::Mul(factor, hn::Min(hn::Max(left, zero()), all(1)));
 }
 
+HWY_INLINE V3 directionOf(const V3 &towards, F distance, const V3 &fallback) {
+  const M usable = hn::And(hn::Gt(distance, zero()), hn::Lt(distance, all(kInfinity)));
+  return select(usable, hn::Div(all(1), distance) * towards, fallback);
+}
+
 HWY_INLINE bool isDark(const Rgb &colour) { return !(rc::maxComponent(colour) > 0); }
 
 HWY_INLINE size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour,
@@ -63,7 +68,7 @@ HWY_INLINE size_t addLight(const hal::LightRow &light, bool shadows, const hal::
                            hal::ShadowQueue &queue, V3 &own) {
   const V3 towards = light.directional ? all(light.position) : all(light.position) - surface.position;
   const F distance = light.directional ? all(kInfinity) : length(towards);
-  const V3 direction = light.directional ? towards : normalizedOr(towards, distance, surface.normal);
+  const V3 direction = light.directional ? towards : directionOf(towards, distance, surface.normal);
   const F strength = hn::Mul(attenuation(light, distance), spotFactor(light, direction));
   if (!isDark(light.ambient)) {
     own = own + colours.weight * ((strength * colours.ambient) * all(light.ambient));

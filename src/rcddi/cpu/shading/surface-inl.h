@@ -51,11 +51,11 @@ struct AttributeLanes {
 constexpr size_t kNormalOffset = offsetof(hal::TriangleAttributes, normal) / sizeof(float);
 constexpr size_t kUvOffset = offsetof(hal::TriangleAttributes, uv) / sizeof(float);
 constexpr size_t kColorOffset = offsetof(hal::TriangleAttributes, color) / sizeof(float);
+constexpr size_t kPlaneOffset = offsetof(hal::TriangleAttributes, flatNormal) / sizeof(float);
 
 struct SurfaceLanes {
   U material, flags, set;  // set: 1 for dynamic triangles
   V3 vertices[3];
-  V3 edges;  // cross product of two: its length is twice the area
   V3 position, flatNormal, normal, color;
   F safeOffset;
   F s, t;  // texture coordinates
@@ -137,6 +137,7 @@ HWY_INLINE void loadTriangles(const Shading &shading, const RayLanes &rays, cons
       loadRow(places.attributes, places.one, k, out.attributes.floats + k);
     }
   };
+  attributes(kPlaneOffset, kPlaneOffset + 4);
   if (!none(hn::And(rays.found, hasFlag(out.flags, hal::kHasNormals | hal::kTangentFrame)))) {
     attributes(kNormalOffset, kNormalOffset + 9);
   }
@@ -176,8 +177,7 @@ HWY_INLINE void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceL
   const F w0 = hn::Sub(hn::Sub(all(1), rays.u), rays.v), w1 = rays.u, w2 = rays.v;
   const V3 p0 = w0 * v0, p1 = w1 * v1, p2 = w2 * v2;
   out.position = p0 + p1 + p2;
-  out.edges = cross(v1 - v0, v2 - v0);
-  const V3 geometric = normalizedOr(out.edges, -rays.direction);
+  const V3 geometric = corner(out.attributes, kPlaneOffset, 0);
   const M counterClockwise = hn::Lt(dot(geometric, rays.direction), zero());
   out.front = hn::Xor(counterClockwise, hasFlag(out.flags, hal::kClockwiseFront));
   out.flatNormal = select(counterClockwise, geometric, -geometric);

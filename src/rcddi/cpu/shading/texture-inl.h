@@ -110,7 +110,7 @@ HWY_INLINE F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, co
   const F texelArea = hn::Mul(hn::Mul(area, all(float(texture.width))), all(float(texture.height)));
   const F cosine = hn::Abs(dot(surface.flatNormal, -rays.direction));
   const F facing = log2Of(hn::Div(rays.coneWidth, hn::Max(cosine, all(1e-3f))));
-  return hn::Add(hn::Mul(all(0.5f), log2Of(hn::Div(texelArea, length(surface.edges)))), facing);
+  return hn::Add(hn::Mul(all(0.5f), log2Of(hn::Div(texelArea, surface.attributes.floats[kPlaneOffset + 3]))), facing);
 }
 
 HWY_INLINE TexelLanes sample(const hal::SceneView &scene, const RayLanes &rays, const SurfaceLanes &surface, M asked,
