@@ -9,6 +9,9 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
+
+#include "egl/pixel_format.h"
 
 namespace rc::egl {
 
@@ -25,8 +28,8 @@ class X11Connection {
   ::Window root() const { return RootWindow(mDisplay, mScreen); }
   // False once the server has gone; nothing can be asked any more.
   bool alive() const { return mAlive; }
-  // The TrueColor visual of a depth, or null.
-  ::Visual *visualOf(int depth) const;
+  // Where pixmaps of a depth have their colours; nothing for depths without any.
+  std::optional<ColourMasks> masksOf(int depth) const;
 
  private:
   X11Connection(::Display *display, int screen);
