@@ -44,8 +44,7 @@ std::optional<Geometry> geometryOf(const X11Connection &connection, ::Drawable d
 
 // Where a window's pixels have their colours. [EGL 1.5, 3.5.1: EGL_BAD_MATCH]
 ColourMasks masksOf(const XWindowAttributes &attributes) {
-  const int kind = attributes.visual->c_class;
-  require(kind == TrueColor || kind == DirectColor, EGL_BAD_MATCH);
+  require(X11Connection::holdsColours(*attributes.visual), EGL_BAD_MATCH);
   return colourMasks(*attributes.visual);
 }
 
@@ -104,9 +103,12 @@ class X11Platform final : public Platform {
 
   NativeTraits traits() const override {
     NativeTraits traits;
-    const ::Visual *visual = DefaultVisual(mConnection->display(), mConnection->screen());
-    traits.visualId = static_cast<EGLint>(XVisualIDFromVisual(const_cast<::Visual *>(visual)));
-    traits.visualType = visual->c_class;
+    if (::Visual *visual = mConnection->windowVisual()) {
+      traits.visualId = static_cast<EGLint>(XVisualIDFromVisual(visual));
+      traits.visualType = visual->c_class;
+    } else {
+      traits.surfaceTypes &= ~EGL_WINDOW_BIT;
+    }
     return traits;
   }
 
@@ -122,7 +124,9 @@ class X11Platform final : public Platform {
   }
 
   std::unique_ptr<NativeDrawable> createWindow(Size size) override {
-    if (!mConnection->alive()) return nullptr;
+    // It would have the screen's default visual.
+    const ::Visual *visual = DefaultVisual(mConnection->display(), mConnection->screen());
+    if (!mConnection->alive() || !X11Connection::holdsColours(*visual)) return nullptr;
     Atom deleteWindow = None;
     const ::Window window = mapWindow(size, deleteWindow);
     XWindowAttributes attributes;

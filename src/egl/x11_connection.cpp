@@ -54,6 +54,18 @@ void X11Connection::serverGone(::Display *, void *connection) {
   log(LogLevel::Warning, "the X server has gone away: windows on it are lost, swaps fail with EGL_BAD_NATIVE_WINDOW");
 }
 
+::Visual *X11Connection::windowVisual() const {
+  ::Visual *usual = DefaultVisual(mDisplay, mScreen);
+  if (holdsColours(*usual)) return usual;
+  XVisualInfo wanted{};
+  wanted.screen = mScreen;
+  wanted.c_class = TrueColor;
+  int count = 0;
+  const std::unique_ptr<XVisualInfo, int (*)(void *)> found(
+      XGetVisualInfo(mDisplay, VisualScreenMask | VisualClassMask, &wanted, &count), XFree);
+  return count > 0 ? found->visual : nullptr;
+}
+
 // As the screen's windows of that depth have them. A pixmap may be of a depth that no window has: then the usual way.
 std::optional<ColourMasks> X11Connection::masksOf(int depth) const {
   XVisualInfo info;

@@ -270,9 +270,22 @@ TEST_P(EglX11, APaletteIsNoMatch) {
   const Client client(grey);
   EXPECT_FALSE(client.surface(client.window(20, 20)));
   EXPECT_EQ(eglGetError(), EGL_BAD_MATCH);
+  EXPECT_FALSE(client.surface(None)) << "the library makes none of its own";
+  EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
   const EGLSurface off = client.pbuffer(8, 8);
   EXPECT_TRUE(client.makeCurrent(off));
   EXPECT_TRUE(client.swap(off)) << "pbuffers do not mind";
+  // The config names a visual that holds colours, as the server has one beside its palettes.
+  XVisualInfo wanted{};
+  EGLint id = 0;
+  EXPECT_TRUE(eglGetConfigAttrib(client.display, client.config, EGL_NATIVE_VISUAL_ID, &id));
+  wanted.visualid = VisualID(id);
+  int count = 0;
+  XVisualInfo *info = XGetVisualInfo(grey.connection(), VisualIDMask, &wanted, &count);
+  ASSERT_EQ(count, 1);
+  EXPECT_EQ(info->c_class, TrueColor);
+  EXPECT_TRUE(client.surface(otherWindow(grey.connection(), *info, InputOutput)));
+  XFree(info);
 }
 
 // Nobody is held up by a window that does not come. [egl/display.h]
