@@ -65,16 +65,17 @@ Context::Context(const Settings &settings, std::shared_ptr<SharedObjects> shared
   state.light.lights.resize(size_t(mProfile.lights));
   state.depthBounce = mProfile.depthBounce;
   state.material0.specularLevel = mProfile.specularLevel;
-  for (ddk::TextureUse &use : state.material0.textures) use.texture = mObjects->textures.bind(0);
-  for (TextureBinding &binding : state.texture.bound) binding.texture = mObjects->textures.bind(0);
+  for (ddk::TextureUse &use : state.material0.textures) use.texture = mObjects->materials.texture0();
+  for (TextureBinding &binding : state.texture.bound) binding.texture = mObjects->materials.texture0();
 }
 
 void Context::attach(DrawSurface *surface) {
-  const std::lock_guard lock(mObjects->mutex);
-  if (surface != mSurface) touch();
+  const bool first = surface && !mHadSurface;
+  const hal::Target target = first ? surface->backBuffer() : hal::Target{};  // may run out of memory: before the rest
+  if (surface != mSurface) mTraced = kNever;
   mSurface = surface;
-  if (!surface || std::exchange(mHadSurface, true)) return;
-  const hal::Target target = surface->backBuffer();
+  if (!first) return;
+  mHadSurface = true;
   state.view.width = state.picture.scissorWidth = target.width;
   state.view.height = state.picture.scissorHeight = target.height;
 }
@@ -117,10 +118,7 @@ void Context::probe(const hal::PixelRect &part,
 
 AccelKind Context::accelKind() const { return structureOf(state.hints.structure).value_or(mDriver.accelKind()); }
 
-bool Context::pending() const {
-  const std::lock_guard lock(mObjects->mutex);
-  return mSurface && mTraced != mObjects->changes;
-}
+bool Context::pending() const { return mSurface && mTraced != mObjects->changes; }
 
 void Context::endFrame() {
   const std::lock_guard lock(mObjects->mutex);

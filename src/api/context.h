@@ -5,6 +5,7 @@
 // EGL makes contexts, gives them a surface, and asks for the picture at a swap; the entry points change them.
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <string>
 
@@ -35,7 +36,7 @@ struct SharedObjects {
   NameTable<ddk::Texture> textures;
   NameTable<Buffer> buffers;
   MaterialTable materials{textures.bind(0)};
-  uint64_t changes = 0;  // counts what any context of the group changed
+  std::atomic<uint64_t> changes = 0;  // counts what any context of the group changed; read without the mutex too
 };
 
 // The error a call raised, for the tracer.
@@ -70,13 +71,14 @@ class Context {
   // a picture shows says so.
   void touch() { ++mObjects->changes; }
 
-  // Where the picture goes from now on; null for none. The first surface sets the viewport.
+  // Where the picture goes from now on; null for none. The first surface sets the viewport. What is the context's own
+  // is changed and nothing else: this waits for no frame of the contexts that share objects.
   void attach(DrawSurface *surface);
   // Samples a pixel of the next frame.
   int samples() const;
   // Traces the frame if something changed since the last picture.
   void finish();
-  // Whether a surface waits for a picture that rcFinish would trace.
+  // Whether a surface waits for a picture that rcFinish would trace. Waits for nobody either.
   bool pending() const;
   // The picture as it is after all that was drawn, row by row from the top; no pixels where there is no surface.
   hal::Target picture();
@@ -110,6 +112,8 @@ class Context {
   uint64_t frameNumber() const { return mFrame + 1; }
 
  private:
+  static constexpr uint64_t kNever = UINT64_MAX;
+
   ddk::FrameState frameState() const;
   void reportFrame() const;
 
@@ -119,7 +123,7 @@ class Context {
   ddk::Driver mDriver;
   DrawSurface *mSurface = nullptr;
   bool mHadSurface = false;
-  uint64_t mTraced = UINT64_MAX;  // SharedObjects::changes when the last picture was traced
+  uint64_t mTraced = kNever;  // SharedObjects::changes when the last picture of this surface was traced
   uint64_t mFrame = 0;
   int mWidth = 0, mHeight = 0;  // of the last picture
   ddk::FrameStats mLastFrame;

@@ -22,6 +22,7 @@ class MaterialTable {
   }
 
   std::span<const ddk::Material> rows() const { return mRows; }
+  const std::shared_ptr<ddk::Texture> &texture0() const { return mTexture0; }
   ddk::Material &operator[](RCuint name) { return mRows[name]; }
   const ddk::Material &operator[](RCuint name) const { return mRows[name]; }
   static bool canExist(RCuint name) { return name < hal::kNamedMaterials; }

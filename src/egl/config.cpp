@@ -50,7 +50,8 @@ constexpr EGLint kApiBits =
     EGL_OPENGL_ES_BIT | EGL_OPENVG_BIT | EGL_OPENGL_ES2_BIT | EGL_OPENGL_BIT | EGL_OPENGL_ES3_BIT;
 constexpr EGLint kAny = EGL_DONT_CARE;
 
-// The caveat and the empty mask of conformance tell the truth: rays do not pass the tests of OpenGL ES.
+// The empty mask of conformance tells the truth: rays do not pass the tests of OpenGL ES. The caveat that said the same
+// is obsolete since there is the mask, and each config does all that the others do, as fast. [EGL 1.5, 3.4]
 constexpr ConfigAttribute kAttributes[] = {
     {EGL_BUFFER_SIZE, Match::AtLeast, 0, countValue,
      [](const Config &c, const NativeTraits &) { return c.bufferSize(); }},
@@ -66,7 +67,7 @@ constexpr ConfigAttribute kAttributes[] = {
     {EGL_COLOR_BUFFER_TYPE, Match::Exact, EGL_RGB_BUFFER, oneOf<EGL_RGB_BUFFER, EGL_LUMINANCE_BUFFER>,
      constant<EGL_RGB_BUFFER>},
     {EGL_CONFIG_CAVEAT, Match::Exact, kAny, oneOf<EGL_NONE, EGL_SLOW_CONFIG, EGL_NON_CONFORMANT_CONFIG>,
-     constant<EGL_NON_CONFORMANT_CONFIG>},
+     constant<EGL_NONE>},
     {EGL_CONFIG_ID, Match::Exact, kAny, anyValue, member<&Config::id>},
     {EGL_CONFORMANT, Match::Mask, 0, bitsOf<kApiBits>, constant<0>},
     {EGL_DEPTH_SIZE, Match::AtLeast, 0, countValue, member<&Config::depth>},

@@ -31,7 +31,8 @@ std::optional<Wishes> readWishes(Attributes list, const PixmapCheck &pixmapWorks
     const ConfigAttribute *row = findConfigAttribute(list.name());
     if (!row) return std::nullopt;
     const EGLint value = list.number();
-    if (value != EGL_DONT_CARE && !row->valid(value)) return std::nullopt;
+    // Levels are always compared. [EGL 1.5, 3.4.1.1]
+    if (value == EGL_DONT_CARE ? row->name == EGL_LEVEL : !row->valid(value)) return std::nullopt;
     wishes.values[row->name] = value;
   }
   return wishes;

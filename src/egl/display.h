@@ -5,7 +5,6 @@
 // used: a handle that is none is an error, never a crash. [spec 5; EGL 1.5, 2.1, 3.2]
 #pragma once
 
-#include <compare>
 #include <memory>
 #include <mutex>
 
@@ -37,20 +36,22 @@ struct DisplayKey {
   EGLenum platform;        // EGL_NONE: X11 where there is a server, or no window system
   void *native = nullptr;  // an Xlib Display *, or null
   EGLint screen = -1;      // below 0: the default one
-  auto operator<=>(const DisplayKey &) const = default;
+  bool operator==(const DisplayKey &) const = default;
 };
 
 struct Display {
   DisplayKey key;
   bool initialized = false;
-  std::unique_ptr<Platform> platform;  // null until it is needed, or without a window system
+  bool watched = false;                // we are told when the program closes the native display
+  bool nativeClosed = false;           // it did: the pointer of the key means nothing, or something else, from now on
+  std::shared_ptr<Platform> platform;  // null until it is needed, or without a window system
   HandleTable<Surface> surfaces;
   HandleTable<RenderContext> contexts;
   HandleTable<Sync> syncs;
   HandleTable<Image> images;
 
   // Connects on first use; null without a window system.
-  Platform *connect();
+  std::shared_ptr<Platform> connect();
   // What its configs have in common.
   NativeTraits traits();
 };
@@ -63,7 +64,9 @@ Display *findDisplay(EGLDisplay handle);
 // Whether a context's handle is one of some other display.
 bool belongsToAnotherDisplay(const Display &display, EGLContext context);
 
-// EGL calls of all threads change displays one after the other; tracing is not under this lock.
+// EGL calls of all threads change displays one after the other. What takes long is not done under this lock: tracing,
+// waiting for the trace of a context that shares objects, for a window to appear, for a file to be written. Opening a
+// connection to the X server is, and so are short questions to it.
 std::recursive_mutex &displayMutex();
 
 }  // namespace rc::egl

@@ -37,7 +37,7 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint *attributes, EGLConfig *
     Display &display = initializedDisplay(dpy);
     require(count, EGL_BAD_PARAMETER);
     const auto pixmapWorks = [&](EGLNativePixmapType pixmap) -> std::optional<bool> {
-      Platform *platform = display.connect();
+      const std::shared_ptr<Platform> platform = display.connect();
       return platform ? platform->holdsPictures(pixmap) : std::nullopt;
     };
     const auto chosen = chooseConfigs(Attributes(attributes), display.traits(), pixmapWorks);

@@ -95,7 +95,9 @@ EGLBoolean eglBindAPI(EGLenum api) {
   });
 }
 
-EGLenum eglQueryAPI(void) { return threadState().api; }
+EGLenum eglQueryAPI(void) {
+  return enterUnlocked<EGLenum>(EGL_NONE, [](ThreadState &thread) { return thread.api; });
+}
 
 EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share, const EGLint *attributes) {
   return enter<EGLContext>(EGL_NO_CONTEXT, [&](ThreadState &) {

@@ -53,9 +53,14 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
   });
 }
 
-EGLContext eglGetCurrentContext(void) { return handleOf(threadState().current.context); }
+EGLContext eglGetCurrentContext(void) {
+  return enterUnlocked<EGLContext>(EGL_NO_CONTEXT,
+                                   [](ThreadState &thread) { return handleOf(thread.current.context); });
+}
 
-EGLDisplay eglGetCurrentDisplay(void) { return threadState().current.display; }
+EGLDisplay eglGetCurrentDisplay(void) {
+  return enterUnlocked<EGLDisplay>(EGL_NO_DISPLAY, [](ThreadState &thread) { return thread.current.display; });
+}
 
 EGLSurface eglGetCurrentSurface(EGLint readdraw) {
   return enter<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &thread) {

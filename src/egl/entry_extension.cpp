@@ -17,7 +17,7 @@ EGLDisplay getPlatformDisplayEXT(EGLenum platform, void *native, const EGLint *a
 }
 
 EGLSurface createPlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config, void *native, const EGLint *attributes) {
-  return enter<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) {
+  return enterUnlocked<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) {
     return createPlatformWindowSurface(dpy, config, native, Attributes(attributes));
   });
 }
@@ -48,7 +48,7 @@ EGLint waitSyncKHR(EGLDisplay dpy, EGLSyncKHR sync, EGLint flags) {
 
 EGLImageKHR createImageKHR(EGLDisplay dpy, EGLContext context, EGLenum target, EGLClientBuffer buffer,
                            const EGLint *attributes) {
-  return enter<EGLImageKHR>(EGL_NO_IMAGE_KHR, [&](ThreadState &) {
+  return enterUnlocked<EGLImageKHR>(EGL_NO_IMAGE_KHR, [&](ThreadState &) {
     return createImage(dpy, context, target, buffer, Attributes(attributes));
   });
 }

@@ -7,6 +7,7 @@
 #include "RC/rcu.h"
 #include "egl/entry.h"
 #include "egl/vendor_calls.h"
+#include "gl/functions.h"
 
 using namespace rc;
 using namespace rc::egl;
@@ -28,8 +29,9 @@ std::span<const NamedFunction> entryFunctions() {
   return kEntries;
 }
 
-Function find(std::span<const NamedFunction> rows, const char *name) {
-  for (const NamedFunction &row : rows) {
+template <class Row>
+Function find(std::span<const Row> rows, const char *name) {
+  for (const Row &row : rows) {
     if (!std::strcmp(row.name, name)) return row.function;
   }
   return nullptr;
@@ -41,9 +43,12 @@ extern "C" {
 
 // What old programs ask for, eglGetElapsedTime, is not here: an answer overflows a buffer of theirs. [reference 1.6]
 __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char *name) {
-  if (!name) return nullptr;
-  const Function entry = find(entryFunctions(), name);
-  return entry ? entry : find(extensionFunctions(), name);
+  return enterUnlocked<Function>(nullptr, [&](ThreadState &) -> Function {
+    if (!name) return nullptr;
+    if (const Function entry = find(entryFunctions(), name)) return entry;
+    if (const Function extension = find(extensionFunctions(), name)) return extension;
+    return find(gl::functions(), name);
+  });
 }
 
 }  // extern "C"

@@ -31,18 +31,36 @@ EGLSurface addNative(Display &display, const Config &config, EGLint kind, const 
   return add(display, config, kind, attributes, *size, std::move(drawable), native);
 }
 
-// A window of the program, or for null one of our own, or off-screen where there is no window system.
-EGLSurface createWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType native, Attributes list) {
+// What a window surface is to be, and the window system that has the window; null where there is none.
+struct WindowRequest {
+  const Config &config;
+  SurfaceAttributes attributes;
+  std::shared_ptr<Platform> platform;
+};
+
+WindowRequest readWindowRequest(EGLDisplay dpy, EGLConfig config, Attributes list) {
+  const std::lock_guard lock(displayMutex());
   Display &display = initializedDisplay(dpy);
   const Config &chosen = configOf(config);
   const SurfaceAttributes attributes = readSurfaceAttributes(EGL_WINDOW_BIT, chosen, list);
   require(display.key.platform != EGL_PLATFORM_SURFACELESS_MESA, EGL_BAD_NATIVE_WINDOW);
-  Platform *platform = display.connect();
-  if (!native && !platform) return add(display, chosen, EGL_WINDOW_BIT, attributes, kDefaultWindow, nullptr, 0);
-  require(platform, EGL_BAD_NATIVE_WINDOW);
+  return {chosen, attributes, display.connect()};
+}
+
+// A window of the program, or for null one of our own, or off-screen where there is no window system. The window may
+// have to be waited for: that is done without the lock.
+EGLSurface createWindowSurface(EGLDisplay dpy, const WindowRequest &wanted, EGLNativeWindowType native) {
+  require(!native || wanted.platform, EGL_BAD_NATIVE_WINDOW);
+  std::unique_ptr<NativeDrawable> window;
+  if (wanted.platform) {
+    window = native ? wanted.platform->adoptWindow(native) : wanted.platform->createWindow(kDefaultWindow);
+    require(window != nullptr, EGL_BAD_NATIVE_WINDOW);
+  }
+  const std::lock_guard lock(displayMutex());
+  Display &display = initializedDisplay(dpy);
+  if (!window) return add(display, wanted.config, EGL_WINDOW_BIT, wanted.attributes, kDefaultWindow, nullptr, 0);
   if (native) requireNoSurface(display, EGL_WINDOW_BIT, native);
-  return addNative(display, chosen, EGL_WINDOW_BIT, attributes,
-                   native ? platform->adoptWindow(native) : platform->createWindow(kDefaultWindow), native,
+  return addNative(display, wanted.config, EGL_WINDOW_BIT, wanted.attributes, std::move(window), native,
                    EGL_BAD_NATIVE_WINDOW);
 }
 
@@ -50,7 +68,7 @@ EGLSurface createPixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmap
   Display &display = initializedDisplay(dpy);
   const Config &chosen = configOf(config);
   const SurfaceAttributes attributes = readSurfaceAttributes(EGL_PIXMAP_BIT, chosen, list);
-  Platform *platform = display.connect();
+  const std::shared_ptr<Platform> platform = display.connect();
   const std::optional<bool> works = platform ? platform->holdsPictures(native) : std::nullopt;
   require(works.has_value(), EGL_BAD_NATIVE_PIXMAP);
   require(*works, EGL_BAD_MATCH);
@@ -70,10 +88,9 @@ Size pbufferSize(const SurfaceAttributes &wanted) {
 namespace rc::egl {
 
 EGLSurface createPlatformWindowSurface(EGLDisplay dpy, EGLConfig config, const void *native, Attributes list) {
-  initializedDisplay(dpy);
-  configOf(config);
+  const WindowRequest wanted = readWindowRequest(dpy, config, list);
   require(native, EGL_BAD_NATIVE_WINDOW);
-  return createWindowSurface(dpy, config, *static_cast<const unsigned long *>(native), list);
+  return createWindowSurface(dpy, wanted, *static_cast<const unsigned long *>(native));
 }
 
 EGLSurface createPlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, const void *native, Attributes list) {
@@ -89,12 +106,13 @@ extern "C" {
 
 EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType window,
                                   const EGLint *attributes) {
-  return enter<EGLSurface>(
-      EGL_NO_SURFACE, [&](ThreadState &) { return createWindowSurface(dpy, config, window, Attributes(attributes)); });
+  return enterUnlocked<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) {
+    return createWindowSurface(dpy, readWindowRequest(dpy, config, Attributes(attributes)), window);
+  });
 }
 
 EGLSurface eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void *native, const EGLAttrib *attributes) {
-  return enter<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) {
+  return enterUnlocked<EGLSurface>(EGL_NO_SURFACE, [&](ThreadState &) {
     return createPlatformWindowSurface(dpy, config, native, Attributes(attributes));
   });
 }
@@ -148,6 +166,8 @@ EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface surface, EGLint name, EGL
 EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint name, EGLint *value) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
     const auto surface = surfaceOf(initializedDisplay(dpy), handle);
+    const bool ofSize = name == EGL_WIDTH || name == EGL_HEIGHT || name == EGL_BUFFER_AGE_EXT;
+    if (ofSize && thread.current.draw == surface) surface->followNative();
     std::optional<EGLint> found;
     if (name == EGL_BUFFER_AGE_EXT) {
       require(thread.current.draw == surface, EGL_BAD_SURFACE);

@@ -28,7 +28,7 @@ EGLBoolean finishCurrent() {
 
 // A pixmap that eglCopyBuffers may write to.
 std::unique_ptr<NativeDrawable> adoptTarget(Display &display, EGLNativePixmapType target) {
-  Platform *platform = display.connect();
+  const std::shared_ptr<Platform> platform = display.connect();
   const std::optional<bool> works = platform ? platform->holdsPictures(target) : std::nullopt;
   require(works.has_value(), EGL_BAD_NATIVE_PIXMAP);
   require(*works, EGL_BAD_MATCH);

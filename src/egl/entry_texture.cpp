@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // Entry points: surfaces as textures, textures as images. [EGL 1.5, 3.6, 3.9]
+// A texture may be in use by the trace of a context that shares it: handles are looked up under the display lock, and
+// what waits for the trace is done without it.
 #include "egl/entry.h"
 #include "egl/twins.h"
 
@@ -12,6 +14,7 @@ namespace {
 
 // The surface of eglBindTexImage and eglReleaseTexImage.
 std::shared_ptr<Surface> texturableSurface(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
+  const std::lock_guard lock(displayMutex());
   auto surface = surfaceOf(initializedDisplay(dpy), handle);
   require(buffer == EGL_BACK_BUFFER, EGL_BAD_PARAMETER);
   require(surface->kind() == EGL_PBUFFER_BIT, EGL_BAD_SURFACE);
@@ -35,6 +38,12 @@ ImageAttributes readImageAttributes(Attributes list) {
   return wanted;
 }
 
+std::shared_ptr<RenderContext> sourceOf(EGLDisplay dpy, EGLContext handle) {
+  const std::lock_guard lock(displayMutex());
+  Display &display = initializedDisplay(dpy);
+  return handle == EGL_NO_CONTEXT ? nullptr : contextOf(display, handle);
+}
+
 // The loaded texture of a name in a context.
 std::shared_ptr<ddk::Texture> textureOf(RenderContext &context, EGLClientBuffer buffer, EGLint level) {
   const auto name = reinterpret_cast<uintptr_t>(buffer);
@@ -51,11 +60,12 @@ std::shared_ptr<ddk::Texture> textureOf(RenderContext &context, EGLClientBuffer 
 namespace rc::egl {
 
 EGLImage createImage(EGLDisplay dpy, EGLContext handle, EGLenum target, EGLClientBuffer buffer, Attributes list) {
-  Display &display = initializedDisplay(dpy);
-  const auto context = handle == EGL_NO_CONTEXT ? nullptr : contextOf(display, handle);
+  const auto context = sourceOf(dpy, handle);
   require(target == EGL_GL_TEXTURE_2D, EGL_BAD_PARAMETER);
   require(context != nullptr, EGL_BAD_MATCH);
   auto texture = textureOf(*context, buffer, readImageAttributes(list).level);
+  const std::lock_guard lock(displayMutex());
+  Display &display = initializedDisplay(dpy);
   const bool ofSurface = display.surfaces.any([&](const Surface &other) { return other.texture.boundTo(*texture); });
   const bool ofImage = display.images.any([&](const Image &other) { return other.texture == texture; });
   require(!ofSurface && !ofImage, EGL_BAD_ACCESS);
@@ -67,19 +77,18 @@ EGLImage createImage(EGLDisplay dpy, EGLContext handle, EGLenum target, EGLClien
 extern "C" {
 
 EGLBoolean eglBindTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
-  return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
+  return enterUnlocked<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
     const auto surface = texturableSurface(dpy, handle, buffer);
-    require(!surface->texture.bound(), EGL_BAD_ACCESS);
     const auto &context = thread.current.context;
     if (!context) return EGL_TRUE;  // there is no texture to bind to
     if (thread.current.draw == surface) context->api.finish();
-    surface->texture.bind(context->api, *surface);
+    require(surface->texture.bind(context->api, *surface), EGL_BAD_ACCESS);
     return EGL_TRUE;
   });
 }
 
 EGLBoolean eglReleaseTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
-  return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
+  return enterUnlocked<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
     texturableSurface(dpy, handle, buffer)->texture.release();
     return EGL_TRUE;
   });
@@ -87,7 +96,7 @@ EGLBoolean eglReleaseTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) 
 
 EGLImage eglCreateImage(EGLDisplay dpy, EGLContext context, EGLenum target, EGLClientBuffer buffer,
                         const EGLAttrib *attributes) {
-  return enter<EGLImage>(
+  return enterUnlocked<EGLImage>(
       EGL_NO_IMAGE, [&](ThreadState &) { return createImage(dpy, context, target, buffer, Attributes(attributes)); });
 }
 

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // Entry points: the vendor's own beside EGL's. [reference 1.5]
-#include <cstdio>
-#include <memory>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 #include "egl/entry.h"
 #include "egl/vendor_calls.h"
@@ -13,26 +14,31 @@ using namespace rc::egl;
 
 namespace {
 
-void writeReport(std::FILE *file, const Display &display) {
+std::string reportOf(const Display &display, const RenderContext *current) {
   const Settings &process = settings();
-  std::fprintf(file, "device: %s\nthreads: %d\nprofile: %s\n", process.device.c_str(), process.threads,
-               process.profile.c_str());
-  std::fprintf(file, "surfaces: %zu\ncontexts: %zu\n", display.surfaces.size(), display.contexts.size());
-  const std::shared_ptr<RenderContext> &context = threadState().current.context;
-  if (context) std::fprintf(file, "last frame: %s\n", ddk::describe(context->api.lastFrame()).c_str());
+  std::ostringstream text;
+  text << "device: " << process.device << "\nthreads: " << process.threads << "\nprofile: " << process.profile << '\n';
+  text << "surfaces: " << display.surfaces.size() << "\ncontexts: " << display.contexts.size() << '\n';
+  if (current) text << "last frame: " << ddk::describe(current->api.lastFrame()) << '\n';
+  return text.str();
 }
 
 }  // namespace
 
 extern "C" {
 
+// The file may be slow, or a pipe that nobody reads: it is written without the lock.
 void eglDumpSystemRC(EGLDisplay dpy, const char *fileName) {
-  enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
-    const Display &display = initializedDisplay(dpy);
+  std::string report;
+  const EGLBoolean valid = enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
+    report = reportOf(initializedDisplay(dpy), thread.current.context.get());
     require(fileName != nullptr, EGL_BAD_PARAMETER);
-    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(fileName, "w"), std::fclose);
-    require(file != nullptr, EGL_BAD_PARAMETER);
-    writeReport(file.get(), display);
+    return EGL_TRUE;
+  });
+  if (!valid) return;
+  enterUnlocked<EGLBoolean>(EGL_FALSE, [&](ThreadState &) {
+    std::ofstream file(fileName);
+    require(bool(file << report << std::flush), EGL_BAD_PARAMETER);
     return EGL_TRUE;
   });
 }

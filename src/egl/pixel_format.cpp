@@ -32,9 +32,9 @@ void storeRow(const PixelFormat &format, const uint32_t *rgba, int width, char *
 
 }  // namespace
 
-PixelFormat::PixelFormat(unsigned long redMask, unsigned long greenMask, unsigned long blueMask, int depth)
-    : mChannel{channelTable(redMask), channelTable(greenMask), channelTable(blueMask)} {
-  const uint32_t colours = static_cast<uint32_t>(redMask | greenMask | blueMask);
+PixelFormat::PixelFormat(const ColourMasks &masks, int depth)
+    : mChannel{channelTable(masks.red), channelTable(masks.green), channelTable(masks.blue)} {
+  const uint32_t colours = static_cast<uint32_t>(masks.red | masks.green | masks.blue);
   if (depth == 32) mOpaque = ~colours;
 }
 

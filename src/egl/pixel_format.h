@@ -13,9 +13,17 @@
 
 namespace rc::egl {
 
+// Bits of a pixel that hold a channel.
+struct ColourMasks {
+  unsigned long red, green, blue;
+};
+inline ColourMasks colourMasks(const ::Visual &visual) {
+  return {visual.red_mask, visual.green_mask, visual.blue_mask};
+}
+
 class PixelFormat {
  public:
-  PixelFormat(unsigned long redMask, unsigned long greenMask, unsigned long blueMask, int depth);
+  PixelFormat(const ColourMasks &masks, int depth);
 
   // rgba: R in the low byte. Bits of a pixel that hold no colour are set: to a compositor that is opaque.
   uint32_t encode(uint32_t rgba) const {

@@ -38,7 +38,8 @@ class Platform {
   virtual ~Platform() = default;
   // Its default visual.
   virtual NativeTraits traits() const = 0;
-  // Null if there is no such window.
+  // Null if there is no such window; throws EGL_BAD_MATCH for one that shows no colours of its own, but those of a
+  // palette. Waits for windows that are on their way.
   virtual std::unique_ptr<NativeDrawable> adoptWindow(EGLNativeWindowType window) = 0;
   // A window of the library's own, for programs that pass none. [G D 1.5]
   virtual std::unique_ptr<NativeDrawable> createWindow(Size size) = 0;
@@ -50,6 +51,9 @@ class Platform {
 
 // Connects to the X server of a program's connection (an Xlib Display *), or to the default one for null; null
 // without a server. screen: below 0 for the connection's default one.
-std::unique_ptr<Platform> connectX11(void *native, int screen);
+std::shared_ptr<Platform> connectX11(void *native, int screen);
+
+// Calls `closed` when the program closes its connection. False without memory.
+bool watchX11(void *native, void (*closed)(void *native));
 
 }  // namespace rc::egl

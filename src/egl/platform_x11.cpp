@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "egl/error.h"
 #include "egl/platform.h"
 #include "egl/x11_connection.h"
 #include "egl/x11_image.h"
@@ -41,10 +42,16 @@ std::optional<Geometry> geometryOf(const X11Connection &connection, ::Drawable d
   return Geometry{{int(width), int(height)}, int(depth)};
 }
 
+// Where a window's pixels have their colours. [EGL 1.5, 3.5.1: EGL_BAD_MATCH]
+ColourMasks masksOf(const XWindowAttributes &attributes) {
+  require(X11Connection::holdsColours(*attributes.visual), EGL_BAD_MATCH);
+  return colourMasks(*attributes.visual);
+}
+
 class X11Drawable : public NativeDrawable {
  public:
-  X11Drawable(Connection connection, ::Drawable drawable, ::Visual *visual, int depth)
-      : mConnection(std::move(connection)), mDrawable(drawable), mImage(*mConnection, visual, depth) {}
+  X11Drawable(Connection connection, ::Drawable drawable, const ColourMasks &masks, int depth)
+      : mConnection(std::move(connection)), mDrawable(drawable), mImage(*mConnection, masks, depth) {}
 
   std::optional<Size> size() override {
     const std::optional<Geometry> geometry = geometryOf(*mConnection, mDrawable);
@@ -65,7 +72,7 @@ class X11Drawable : public NativeDrawable {
 class OwnWindow final : public X11Drawable {
  public:
   OwnWindow(const Connection &connection, ::Window window, const XWindowAttributes &attributes, Atom deleteWindow)
-      : X11Drawable(connection, window, attributes.visual, attributes.depth), mDeleteWindow(deleteWindow) {}
+      : X11Drawable(connection, window, masksOf(attributes), attributes.depth), mDeleteWindow(deleteWindow) {}
   ~OwnWindow() override {
     if (!mConnection->alive()) return;
     const ErrorTrap trap(*mConnection);
@@ -96,9 +103,12 @@ class X11Platform final : public Platform {
 
   NativeTraits traits() const override {
     NativeTraits traits;
-    const ::Visual *visual = DefaultVisual(mConnection->display(), mConnection->screen());
-    traits.visualId = static_cast<EGLint>(XVisualIDFromVisual(const_cast<::Visual *>(visual)));
-    traits.visualType = visual->c_class;
+    if (::Visual *visual = mConnection->windowVisual()) {
+      traits.visualId = static_cast<EGLint>(XVisualIDFromVisual(visual));
+      traits.visualType = visual->c_class;
+    } else {
+      traits.surfaceTypes &= ~EGL_WINDOW_BIT;
+    }
     return traits;
   }
 
@@ -109,11 +119,14 @@ class X11Platform final : public Platform {
       if (!mConnection->alive() || std::chrono::steady_clock::now() > deadline) return nullptr;
       std::this_thread::sleep_for(kPause);
     }
-    return std::make_unique<X11Drawable>(mConnection, window, attributes.visual, attributes.depth);
+    if (attributes.c_class != InputOutput) return nullptr;  // shows nothing
+    return std::make_unique<X11Drawable>(mConnection, window, masksOf(attributes), attributes.depth);
   }
 
   std::unique_ptr<NativeDrawable> createWindow(Size size) override {
-    if (!mConnection->alive()) return nullptr;
+    // It would have the screen's default visual.
+    const ::Visual *visual = DefaultVisual(mConnection->display(), mConnection->screen());
+    if (!mConnection->alive() || !X11Connection::holdsColours(*visual)) return nullptr;
     Atom deleteWindow = None;
     const ::Window window = mapWindow(size, deleteWindow);
     XWindowAttributes attributes;
@@ -124,14 +137,14 @@ class X11Platform final : public Platform {
   std::optional<bool> holdsPictures(EGLNativePixmapType pixmap) override {
     const std::optional<Geometry> geometry = geometryOf(*mConnection, pixmap);
     if (!geometry || isWindow(pixmap)) return std::nullopt;
-    return mConnection->visualOf(geometry->depth) != nullptr;
+    return mConnection->masksOf(geometry->depth).has_value();
   }
 
   std::unique_ptr<NativeDrawable> adoptPixmap(EGLNativePixmapType pixmap) override {
     const std::optional<Geometry> geometry = geometryOf(*mConnection, pixmap);
-    ::Visual *visual = geometry ? mConnection->visualOf(geometry->depth) : nullptr;
-    if (!visual) return nullptr;
-    return std::make_unique<X11Drawable>(mConnection, pixmap, visual, geometry->depth);
+    const std::optional<ColourMasks> masks = geometry ? mConnection->masksOf(geometry->depth) : std::nullopt;
+    if (!masks) return nullptr;
+    return std::make_unique<X11Drawable>(mConnection, pixmap, *masks, geometry->depth);
   }
 
  private:
@@ -167,12 +180,12 @@ class X11Platform final : public Platform {
 
 }  // namespace
 
-std::unique_ptr<Platform> connectX11(void *native, int screen) {
+std::shared_ptr<Platform> connectX11(void *native, int screen) {
   // Without a name there is no server: Xlib need not be asked.
   const char *name = std::getenv("DISPLAY");
   if (!native && (!name || !*name)) return nullptr;
   auto connection = X11Connection::open(native ? DisplayString(static_cast<::Display *>(native)) : nullptr, screen);
-  return connection ? std::make_unique<X11Platform>(std::move(connection)) : nullptr;
+  return connection ? std::make_shared<X11Platform>(std::move(connection)) : nullptr;
 }
 
 }  // namespace rc::egl

@@ -27,14 +27,17 @@ bool Surface::checkNative() {
   return !mGone;
 }
 
-hal::Target Surface::backBuffer() {
-  if (mDrawable && !mGone) {
-    if (const std::optional<Size> now = mDrawable->size()) {
-      if (*now != size()) resize(*now);
-    } else {
-      mGone = true;
-    }
+void Surface::followNative() {
+  if (!mDrawable || mGone) return;
+  if (const std::optional<Size> now = mDrawable->size()) {
+    if (*now != size()) resize(*now);
+  } else {
+    mGone = true;
   }
+}
+
+hal::Target Surface::backBuffer() {
+  followNative();
   return picture();
 }
 

@@ -22,35 +22,47 @@ std::vector<uint32_t> texelsOf(const hal::Target &picture, bool withAlpha, uint3
 
 }  // namespace
 
-void TextureBinding::bind(api::Context &context, Surface &surface) {
-  const std::lock_guard lock(context.objects().mutex);
-  const hal::Target picture = surface.picture();
-  const bool withAlpha = surface.attributes.textureFormat == EGL_TEXTURE_RGBA;
-  const std::shared_ptr<ddk::Texture> &texture = context.state.texture.bound[ddk::kColourMap].texture;
-  // A pbuffer may be 0 pixels high: the texture then has no image.
-  const bool empty = picture.width <= 0 || picture.height <= 0;
-  texture->image = empty ? ddk::Image{}
-                         : ddk::makeImage(texelsOf(picture, withAlpha, context.state.texture.alpha), picture.width,
-                                          picture.height, surface.attributes.mipmapTexture != EGL_FALSE);
-  texture->format = withAlpha ? RC_RGBA : RC_RGB;
-  mTexture = texture;
-  mObjects = context.shared();
-  mTexels = empty ? nullptr : texture->image.levels[0].data();
-  context.touch();
+std::shared_ptr<const TextureBinding::Loan> TextureBinding::loan() const {
+  const std::lock_guard lock(mMutex);
+  return mLoan.lock();
 }
 
-bool TextureBinding::bound() const {
-  const auto texture = mTexture.lock();
-  return texture && !texture->image.levels.empty() && texture->image.levels[0].data() == mTexels;
+bool TextureBinding::bind(api::Context &context, Surface &surface) {
+  const std::lock_guard lock(context.objects().mutex);
+  const std::shared_ptr<ddk::Texture> &texture = context.state.texture.bound[ddk::kColourMap].texture;
+  const bool withAlpha = surface.attributes.textureFormat == EGL_TEXTURE_RGBA;
+  const hal::Target picture = surface.picture();
+  // A pbuffer may be 0 pixels high: the texture then has no image.
+  ddk::Image image;
+  if (picture.width > 0 && picture.height > 0) {
+    image = ddk::makeImage(texelsOf(picture, withAlpha, context.state.texture.alpha), picture.width, picture.height,
+                           surface.attributes.mipmapTexture != EGL_FALSE);
+  }
+  const auto lent = std::make_shared<const Loan>(Loan{texture, context.shared()});
+  image.loan = lent;
+
+  const std::lock_guard own(mMutex);
+  if (!mLoan.expired()) return false;
+  mLoan = lent;
+  texture->image = std::move(image);
+  texture->format = withAlpha ? RC_RGBA : RC_RGB;
+  context.touch();
+  return true;
+}
+
+bool TextureBinding::boundTo(const ddk::Texture &texture) const {
+  const auto lent = loan();
+  return lent && lent->texture.lock().get() == &texture;
 }
 
 void TextureBinding::release() {
-  const auto objects = mObjects.lock();
-  if (!objects) return;
+  const auto lent = loan();
+  const auto objects = lent ? lent->objects.lock() : nullptr;
+  const auto texture = lent ? lent->texture.lock() : nullptr;
+  if (!objects || !texture) return;
   const std::lock_guard lock(objects->mutex);
-  if (!bound()) return;
-  mTexture.lock()->image = {};
-  mTexture.reset();
+  if (texture->image.loan != lent) return;
+  texture->image = {};
   ++objects->changes;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 
 #include "api/context.h"
 
@@ -12,20 +13,27 @@ namespace rc::egl {
 
 class Surface;
 
+// Of any thread. What touches the texture waits for a trace that reads it, so none of it is done under the display lock
+// but boundTo, which asks the loan alone.
 class TextureBinding {
  public:
-  // The picture becomes the image of the context's current RC_TEXTURE_2D.
-  void bind(api::Context &context, Surface &surface);
-  // False once the texture was loaded anew or no longer exists.
-  bool bound() const;
-  bool boundTo(const ddk::Texture &texture) const { return bound() && mTexture.lock().get() == &texture; }
-  // The texture is empty again.
+  // The picture becomes the image of the context's current RC_TEXTURE_2D. False if it is in a texture already.
+  bool bind(api::Context &context, Surface &surface);
+  bool boundTo(const ddk::Texture &texture) const;
+  // The texture is empty again, unless it was loaded anew.
   void release();
 
  private:
-  std::weak_ptr<ddk::Texture> mTexture;
-  std::weak_ptr<api::SharedObjects> mObjects;  // where it lives
-  const uint32_t *mTexels = nullptr;           // of its image, which tell that it is ours
+  // What the texture's image holds, and nothing else for long: it ends when the texture is loaded anew or deleted.
+  struct Loan {
+    std::weak_ptr<ddk::Texture> texture;
+    std::weak_ptr<api::SharedObjects> objects;  // where it lives
+  };
+
+  std::shared_ptr<const Loan> loan() const;
+
+  mutable std::mutex mMutex;
+  std::weak_ptr<const Loan> mLoan;
 };
 
 }  // namespace rc::egl

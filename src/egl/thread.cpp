@@ -7,9 +7,10 @@
 namespace rc::egl {
 namespace {
 
-void detach(const Current &old) {
+// next: what takes its place.
+void leave(const Current &old, const Current &next) {
   if (!old.context) return;
-  old.context->api.attach(nullptr);
+  if (old.context != next.context) old.context->api.attach(nullptr);
   old.context->fences.pass();  // nobody waits for a picture that is not asked for any more
   old.context->current = false;
   if (!old.draw) return;
@@ -17,13 +18,12 @@ void detach(const Current &old) {
   old.draw->current = old.read->current = false;
 }
 
-void attach(const Current &now) {
+void enterInto(const Current &now) {
   if (!now.context) return;
   now.context->current = true;
   if (!now.draw) return;
   now.draw->current = now.read->current = true;
   now.draw->fences = &now.context->fences;
-  now.context->api.attach(now.draw.get());
 }
 
 // Handles that were destroyed while they were current end now.
@@ -44,10 +44,11 @@ ThreadState::~ThreadState() {
 
 void ThreadState::makeCurrent(Current next) {
   if (next == current) return;
-  api::setCurrentContext(nullptr);  // first: what follows may run out of memory
+  // First, since a surface may need more memory than there is: then nothing has changed.
+  if (next.context) next.context->api.attach(next.draw.get());
   const Current old = std::exchange(current, std::move(next));
-  detach(old);
-  attach(current);
+  leave(old, current);
+  enterInto(current);
   release(old);
   api::setCurrentContext(current.context ? &current.context->api : nullptr);
 }

@@ -23,7 +23,7 @@ struct ThreadState {
   Current current;
 
   ~ThreadState();
-  // What was current is let go.
+  // What was current is let go. Throws without memory, and what was current still is.
   void makeCurrent(Current next);
 };
 

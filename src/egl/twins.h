@@ -9,10 +9,10 @@
 
 namespace rc::egl {
 
-// All throw EglError.
+// All throw EglError. Those that wait for something take the display lock themselves; the others are called under it.
 Display *platformDisplay(EGLenum platform, void *native, Attributes list);
 
-// native: a pointer to a Window or Pixmap. [EGL_KHR_platform_x11]
+// native: a pointer to a Window or Pixmap. [EGL_KHR_platform_x11] The first takes the lock.
 EGLSurface createPlatformWindowSurface(EGLDisplay dpy, EGLConfig config, const void *native, Attributes list);
 EGLSurface createPlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, const void *native, Attributes list);
 
@@ -20,6 +20,7 @@ EGLSurface createPlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, const v
 EGLSync createSync(EGLDisplay dpy, EGLenum type, Attributes list, EGLint error);
 EGLAttrib syncAttribute(EGLDisplay dpy, EGLSync sync, EGLint name);
 
+// Takes the lock.
 EGLImage createImage(EGLDisplay dpy, EGLContext context, EGLenum target, EGLClientBuffer buffer, Attributes list);
 
 }  // namespace rc::egl

@@ -98,7 +98,11 @@ const char *getVendorString(int name) {
              : nullptr;
 }
 
-void *getProcAddress(const char *name) { return reinterpret_cast<void *>(raycoreFunction(name)); }
+// libEGL asks for gl* too, to call them while our context is current. Ours would call libGLESv1_CM's, and those ours.
+void *getProcAddress(const char *name) {
+  const bool isGl = !std::strncmp(name, "gl", 2);
+  return isGl ? nullptr : reinterpret_cast<void *>(raycoreFunction(name));
+}
 
 void *getDispatchAddress(const char *name) {
   const Dispatched *found = find(name);

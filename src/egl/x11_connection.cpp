@@ -54,10 +54,35 @@ void X11Connection::serverGone(::Display *, void *connection) {
   log(LogLevel::Warning, "the X server has gone away: windows on it are lost, swaps fail with EGL_BAD_NATIVE_WINDOW");
 }
 
-::Visual *X11Connection::visualOf(int depth) const {
+::Visual *X11Connection::windowVisual() const {
+  ::Visual *usual = DefaultVisual(mDisplay, mScreen);
+  if (holdsColours(*usual)) return usual;
+  XVisualInfo wanted{};
+  wanted.screen = mScreen;
+  wanted.c_class = TrueColor;
+  int count = 0;
+  const std::unique_ptr<XVisualInfo, int (*)(void *)> found(
+      XGetVisualInfo(mDisplay, VisualScreenMask | VisualClassMask, &wanted, &count), XFree);
+  return count > 0 ? found->visual : nullptr;
+}
+
+// As the screen's windows of that depth have them. A pixmap may be of a depth that no window has: then the usual way.
+std::optional<ColourMasks> X11Connection::masksOf(int depth) const {
   XVisualInfo info;
-  const bool found = XMatchVisualInfo(mDisplay, mScreen, depth, TrueColor, &info) != 0;
-  return found ? info.visual : nullptr;
+  if (XMatchVisualInfo(mDisplay, mScreen, depth, TrueColor, &info)) return colourMasks(*info.visual);
+  switch (depth) {
+    case 15:
+      return ColourMasks{0x7c00, 0x03e0, 0x001f};
+    case 16:
+      return ColourMasks{0xf800, 0x07e0, 0x001f};
+    case 24:
+    case 32:
+      return ColourMasks{0xff0000, 0x00ff00, 0x0000ff};
+    case 30:
+      return ColourMasks{0x3ff00000, 0x000ffc00, 0x000003ff};
+    default:
+      return std::nullopt;
+  }
 }
 
 ErrorTrap::ErrorTrap(const X11Connection &connection) : mConnection(connection) {

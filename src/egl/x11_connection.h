@@ -9,6 +9,9 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
+
+#include "egl/pixel_format.h"
 
 namespace rc::egl {
 
@@ -25,8 +28,14 @@ class X11Connection {
   ::Window root() const { return RootWindow(mDisplay, mScreen); }
   // False once the server has gone; nothing can be asked any more.
   bool alive() const { return mAlive; }
-  // The TrueColor visual of a depth, or null.
-  ::Visual *visualOf(int depth) const;
+  // Whether pixels of a visual are colours, not places in a palette.
+  static bool holdsColours(const ::Visual &visual) {
+    return visual.c_class == TrueColor || visual.c_class == DirectColor;
+  }
+  // The visual for windows: the screen's default one, if it holds colours, or another that does; null if none does.
+  ::Visual *windowVisual() const;
+  // Where pixmaps of a depth have their colours; nothing for depths without any.
+  std::optional<ColourMasks> masksOf(int depth) const;
 
  private:
   X11Connection(::Display *display, int screen);

@@ -19,13 +19,12 @@ bool X11Image::serverShares(const X11Connection &connection) {
   return connection.alive() && XShmQueryExtension(connection.display());
 }
 
-X11Image::X11Image(const X11Connection &connection, ::Visual *visual, int depth)
+X11Image::X11Image(const X11Connection &connection, const ColourMasks &masks, int depth)
     : mConnection(connection),
       mDisplay(connection.display()),
-      mVisual(visual),
       mDepth(depth),
       mSharedWorks(serverShares(connection)),
-      mFormat(visual->red_mask, visual->green_mask, visual->blue_mask, depth) {}
+      mFormat(masks, depth) {}
 
 X11Image::~X11Image() {
   release();
@@ -54,8 +53,9 @@ bool X11Image::resize(int width, int height) {
   release();
   if (mSharedWorks && makeShared(width, height)) return true;
   mSharedWorks = false;
+  // Without a visual: of the masks in it nothing here makes use.
   mImage =
-      XCreateImage(mDisplay, mVisual, unsigned(mDepth), ZPixmap, 0, nullptr, unsigned(width), unsigned(height), 32, 0);
+      XCreateImage(mDisplay, nullptr, unsigned(mDepth), ZPixmap, 0, nullptr, unsigned(width), unsigned(height), 32, 0);
   if (!mImage) return false;
   mImage->data = static_cast<char *>(std::malloc(size_t(mImage->bytes_per_line) * size_t(height)));
   if (!mImage->data) release();
@@ -64,7 +64,7 @@ bool X11Image::resize(int width, int height) {
 
 bool X11Image::makeShared(int width, int height) {
   auto shared = std::make_unique<Shared>();
-  mImage = XShmCreateImage(mDisplay, mVisual, unsigned(mDepth), ZPixmap, nullptr, &shared->info, unsigned(width),
+  mImage = XShmCreateImage(mDisplay, nullptr, unsigned(mDepth), ZPixmap, nullptr, &shared->info, unsigned(width),
                            unsigned(height));
   if (!mImage) return false;
   const size_t bytes = size_t(mImage->bytes_per_line) * size_t(height);

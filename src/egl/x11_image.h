@@ -13,7 +13,7 @@ namespace rc::egl {
 
 class X11Image {
  public:
-  X11Image(const X11Connection &connection, ::Visual *visual, int depth);
+  X11Image(const X11Connection &connection, const ColourMasks &masks, int depth);
   ~X11Image();
   X11Image(const X11Image &) = delete;
   X11Image &operator=(const X11Image &) = delete;
@@ -31,7 +31,6 @@ class X11Image {
 
   const X11Connection &mConnection;  // of the owner
   ::Display *mDisplay;
-  ::Visual *mVisual;
   int mDepth;
   ::GC mGc = nullptr;
   XImage *mImage = nullptr;

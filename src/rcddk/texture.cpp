@@ -81,7 +81,7 @@ std::vector<uint32_t> readTexels(const PixelSource &source, int width, int heigh
 }
 
 Image makeImage(std::vector<uint32_t> base, int width, int height, bool mipmaps) {
-  Image image{{}, width, height};
+  Image image{{}, width, height, nullptr};
   image.levels.push_back(std::move(base));
   if (mipmaps) makeMipLevels(image);
   return image;

@@ -4,6 +4,7 @@
 // texture.h: a texture object: any accepted format becomes RGBA8 with all mip levels. [spec 3.4; G 5]
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "RC/rctokens.h"
@@ -18,6 +19,7 @@ enum class PixelLayout { Rgb8, Rgba8, Rgb565, Rgba4444, Rgba5551 };
 struct Image {
   std::vector<std::vector<uint32_t>> levels;  // RGBA8, R in the low byte; level 0 first, rows from v = 0
   int width = 0, height = 0;                  // of level 0; 0 where nothing was loaded
+  std::shared_ptr<const void> loan;           // held by an image that somebody lent; let go when it is replaced
 };
 
 // Texels in client memory, the lowest row first; a row begins at a multiple of `alignment` bytes from the first one.

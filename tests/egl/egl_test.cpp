@@ -304,6 +304,9 @@ TEST_F(Egl, ProcAddresses) {
   EXPECT_EQ(reinterpret_cast<void *>(eglGetProcAddress("eglSwapBuffers")), reinterpret_cast<void *>(eglSwapBuffers));
   EXPECT_FALSE(eglGetProcAddress("eglGetElapsedTime")) << "an answer overflows a buffer in old programs";
   EXPECT_FALSE(eglGetProcAddress("rcNothing"));
+  EXPECT_TRUE(eglGetProcAddress("glClear")) << "all functions of the client API, EGL_KHR_get_all_proc_addresses says";
+  EXPECT_TRUE(eglGetProcAddress("glTexParameterxv"));
+  EXPECT_FALSE(eglGetProcAddress("glCreateShader"));
   EXPECT_FALSE(eglGetProcAddress(nullptr));
 }
 

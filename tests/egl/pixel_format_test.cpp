@@ -58,7 +58,7 @@ TEST_P(PixelFormats, StoresInBothByteOrders) {
     image.green_mask = format.green;
     image.blue_mask = format.blue;
     ASSERT_TRUE(XInitImage(&image));
-    egl::PixelFormat(format.red, format.green, format.blue, format.depth).store({pixels.data(), 3, 2}, image);
+    egl::PixelFormat({format.red, format.green, format.blue}, format.depth).store({pixels.data(), 3, 2}, image);
     for (int i = 0; i < 6; ++i) EXPECT_EQ(XGetPixel(&image, i % 3, i / 3), expected[i]) << i << ", order " << order;
   }
 }

@@ -219,6 +219,26 @@ TEST_F(Surfaces, ExtensionsAndTheirFunctions) {
   EXPECT_FALSE(eglGetProcAddress("eglCreateStreamKHR"));
 }
 
+// Each call of EGL is the last one that eglGetError tells about.
+TEST_F(Surfaces, QuestionsAreCallsToo) {
+  const auto failFirst = [] { eglBindAPI(EGL_OPENVG_API); };
+  failFirst();
+  EXPECT_FALSE(eglGetCurrentContext());
+  expectError(EGL_SUCCESS);
+  failFirst();
+  EXPECT_FALSE(eglGetCurrentDisplay());
+  expectError(EGL_SUCCESS);
+  failFirst();
+  EXPECT_FALSE(eglGetCurrentSurface(EGL_DRAW));
+  expectError(EGL_SUCCESS);
+  failFirst();
+  EXPECT_EQ(eglQueryAPI(), EGLenum(EGL_OPENGL_ES_API));
+  expectError(EGL_SUCCESS);
+  failFirst();
+  EXPECT_FALSE(eglGetProcAddress("nothing"));
+  expectError(EGL_SUCCESS);
+}
+
 TEST_F(Surfaces, TheExtensionsTwins) {
   const auto platformDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));

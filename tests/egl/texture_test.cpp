@@ -99,6 +99,37 @@ TEST_F(Textures, ATextureThatIsLoadedAnewLetsGo) {
   EXPECT_TRUE(eglDestroySurface(mDisplay, source));
 }
 
+// The memory of the pbuffer's image may come back for one that the program loads: that one is not the pbuffer's.
+TEST_F(Textures, ReleasingLeavesAnImageOfTheProgramAlone) {
+  const EGLSurface source = texturable(mConfig, EGL_TEXTURE_RGB);
+  ASSERT_TRUE(eglMakeCurrent(mDisplay, source, source, context()));
+  rcBindTexture(RC_TEXTURE_2D, 5);
+  const auto texture = api::currentContext()->objects().textures.find(5);
+  const std::vector<RCubyte> texels(16 * 16 * 3, 100);
+  for (int round = 0; round < 4; ++round) {
+    ASSERT_TRUE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER));
+    for (int load = 0; load <= round; ++load) {
+      rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, 16, 16, 0, RC_RGB, RC_UNSIGNED_BYTE, texels.data());
+    }
+    EXPECT_TRUE(eglReleaseTexImage(mDisplay, source, EGL_BACK_BUFFER));
+    ASSERT_TRUE(texture->loaded()) << "after " << round + 1 << " loads";
+    EXPECT_EQ(texture->image.levels[0][0] & 255, 100u);
+  }
+  ASSERT_TRUE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER));
+  EXPECT_TRUE(eglReleaseTexImage(mDisplay, source, EGL_BACK_BUFFER));
+  EXPECT_FALSE(texture->loaded());
+}
+
+TEST_F(Textures, AnImageOfATextureThatAPbufferIsIn) {
+  const EGLSurface source = texturable(mConfig, EGL_TEXTURE_RGB);
+  const EGLContext made = context();
+  ASSERT_TRUE(eglMakeCurrent(mDisplay, source, source, made));
+  rcBindTexture(RC_TEXTURE_2D, 5);
+  ASSERT_TRUE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER));
+  EXPECT_FALSE(eglCreateImage(mDisplay, made, EGL_GL_TEXTURE_2D, EGLClientBuffer(5), nullptr));
+  expectError(EGL_BAD_ACCESS);
+}
+
 TEST_F(Textures, MipLevelsAndAlpha) {
   const EGLSurface source = texturable(choose({EGL_ALPHA_SIZE, 8}), EGL_TEXTURE_RGBA, EGL_TRUE);
   ASSERT_TRUE(eglMakeCurrent(mDisplay, source, source, context(choose({EGL_ALPHA_SIZE, 8}))));

@@ -80,6 +80,43 @@ TEST_F(Threads, ContextsGoFromThreadToThread) {
   EXPECT_EQ(drawn, kThreads * kFrames);
 }
 
+// One pbuffer, in and out of textures of a share group that others load and trace.
+TEST_F(Threads, APbufferBetweenTextures) {
+  const EGLContext first = context();
+  const EGLSurface source = pbufferOf(mConfig, {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_TEXTURE_FORMAT, EGL_TEXTURE_RGB,
+                                                EGL_TEXTURE_TARGET, EGL_TEXTURE_2D});
+  const std::vector<RCubyte> texels(16 * 16 * 3, 100);
+  std::atomic<int> bound = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < kThreads; ++i) {
+    threads.emplace_back([&, i] {
+      const EGLContext own = eglCreateContext(mDisplay, mConfig, i % 4 ? first : EGL_NO_CONTEXT, nullptr);
+      const EGLSurface surface = pbuffer(16, 16);
+      ASSERT_TRUE(eglMakeCurrent(mDisplay, surface, surface, own));
+      for (int frame = 0; frame < kFrames; ++frame) {
+        rcBindTexture(RC_TEXTURE_2D, RCuint(1 + i % 2));
+        if (eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER)) {
+          ++bound;
+        } else {
+          ASSERT_EQ(eglGetError(), EGL_BAD_ACCESS);
+        }
+        const EGLImage image =
+            eglCreateImage(mDisplay, own, EGL_GL_TEXTURE_2D, EGLClientBuffer(uintptr_t(2 - i % 2)), nullptr);
+        EXPECT_TRUE(!image || eglDestroyImage(mDisplay, image));
+        if (frame % 3 == i % 3) {
+          rcTexImage2D(RC_TEXTURE_2D, 0, RC_RGB, 16, 16, 0, RC_RGB, RC_UNSIGNED_BYTE, texels.data());
+        }
+        rcFinish();
+        EXPECT_TRUE(eglReleaseTexImage(mDisplay, source, EGL_BACK_BUFFER));
+      }
+      EXPECT_EQ(rcGetError(), RCenum(RC_NO_ERROR));
+      EXPECT_TRUE(eglReleaseThread());
+    });
+  }
+  for (std::thread &thread : threads) thread.join();
+  EXPECT_GT(bound, 0);
+}
+
 TEST_F(Threads, QueriesWhileOthersDraw) {
   const EGLSurface surface = pbuffer(16, 16);
   const EGLContext made = context();

@@ -20,7 +20,7 @@ static void expect(int condition, const char *what) {
   ++failures;
 }
 
-int main(void) {
+int main(int argc, char **argv) {
   const float plane[4] = {0, 0, 1, 0};
   int names = 0;
   (void)rcGetError(); /* links the library */
@@ -36,6 +36,8 @@ int main(void) {
   ((ClipPlane)dlsym(RTLD_DEFAULT, "glClipPlanef"))(0x3000, plane);
   expect(((IsObject)dlsym(RTLD_DEFAULT, "glIsTexture"))(7) == 1, "glIsTexture is that of the library behind");
   expect(((IsObject)dlsym(RTLD_DEFAULT, "glIsTexture"))(8) == 0, "glIsTexture passes its argument");
+  expect(argc == 2 && dlopen(argv[1], RTLD_NOW | RTLD_GLOBAL) != NULL, "usage: stubs_test LIBRARY");
+  expect(((IsObject)dlsym(RTLD_DEFAULT, "glIsBuffer"))(7) == 1, "glIsBuffer is that of a library loaded later");
   expect(rcGetError() == RC_NO_ERROR, "no gl call reaches the rc state");
   return failures != 0;
 }

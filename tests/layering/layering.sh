@@ -13,7 +13,7 @@ rchal:base
 rcddi:base rchal
 rcddk:base rchal
 api:base rchal rcddk
-egl:base rchal rcddk api
+egl:base rchal rcddk api gl
 gl:
 framework:"
 

@@ -53,6 +53,7 @@ int main(int argc, char **argv) {
     clearGreenWithMesa();
     expect(raycore.makeCurrent(), "back to RayCore");
     traceColour(raycore, float(i % 2), float((i + 1) % 2));
+    glClear(GL_COLOR_BUFFER_BIT);  // while RayCore is current it does nothing, and comes back
   }
   return EXIT_SUCCESS;
 }

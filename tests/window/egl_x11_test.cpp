@@ -6,8 +6,11 @@
 #include <EGL/eglext.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <random>
+#include <thread>
 
 #include "RC/rcu.h"
 #include "egl/thread.h"
@@ -66,6 +69,17 @@ class Client {
  private:
   const XServer &mServer;
 };
+
+// A window or pixmap that the library is told to draw to.
+Window otherWindow(Display *x, const XVisualInfo &info, unsigned kind) {
+  XSetWindowAttributes attributes{};
+  const bool shown = kind == InputOutput;
+  if (shown) attributes.colormap = XCreateColormap(x, DefaultRootWindow(x), info.visual, AllocNone);
+  const Window window = XCreateWindow(x, DefaultRootWindow(x), 0, 0, 64, 48, 0, shown ? info.depth : 0, kind,
+                                      info.visual, shown ? CWColormap | CWBorderPixel : 0, &attributes);
+  XSync(x, False);
+  return window;
+}
 
 // A triangle under a light, so that there are many colours; the same in every frame and at every size.
 void draw() {
@@ -149,10 +163,7 @@ TEST_P(EglX11, AWindowOfAnotherVisual) {
   XVisualInfo info;
   if (!XMatchVisualInfo(x, DefaultScreen(x), 32, TrueColor, &info)) GTEST_SKIP() << "the server has no depth 32";
   const Client client(*mServer);
-  XSetWindowAttributes attributes{};
-  attributes.colormap = XCreateColormap(x, DefaultRootWindow(x), info.visual, AllocNone);
-  const Window window = XCreateWindow(x, DefaultRootWindow(x), 0, 0, 64, 48, 0, 32, InputOutput, info.visual,
-                                      CWColormap | CWBorderPixel, &attributes);
+  const Window window = otherWindow(x, info, InputOutput);
   XMapWindow(x, window);
   XSync(x, False);
   const EGLSurface surface = client.surface(window);
@@ -214,6 +225,109 @@ TEST_P(EglX11, PixmapsHoldThePictureOnceItIsTraced) {
   EXPECT_TRUE(eglCreatePlatformPixmapSurface(client.display, client.config, const_cast<Pixmap *>(&copy), nullptr));
 }
 
+// Depths that no window of the screen has are depths of pixmaps all the same.
+TEST_P(EglX11, PixmapsOfEveryDepth) {
+  const Client client(*mServer);
+  Display *x = mServer->connection();
+  ASSERT_TRUE(client.makeCurrent(client.pbuffer(20, 10)));
+  draw();
+  rcFinish();
+  const Picture picture = traced();
+  const uint8_t *rgb = &picture.rgb[3 * (5 * 20 + 10)];
+  for (const int depth : {16, 24, 32}) {
+    const Pixmap pixmap = XCreatePixmap(x, DefaultRootWindow(x), 20, 10, unsigned(depth));
+    XSync(x, False);
+    const EGLSurface surface = eglCreatePixmapSurface(client.display, client.config, pixmap, nullptr);
+    ASSERT_TRUE(surface) << depth;
+    ASSERT_TRUE(client.makeCurrent(surface));
+    draw();
+    EXPECT_TRUE(eglWaitClient());
+    XImage *image = XGetImage(x, pixmap, 10, 5, 1, 1, AllPlanes, ZPixmap);
+    ASSERT_TRUE(image);
+    const unsigned long pixel = XGetPixel(image, 0, 0);
+    XDestroyImage(image);
+    // The upper bits of each channel.
+    const unsigned long wanted = depth == 16
+                                     ? (rgb[0] >> 3ul) << 11 | (rgb[1] >> 2ul) << 5 | rgb[2] >> 3ul
+                                     : (depth == 32 ? 0xff000000ul : 0) | rgb[0] << 16ul | rgb[1] << 8ul | rgb[2];
+    EXPECT_EQ(pixel, wanted) << depth;
+  }
+}
+
+TEST_P(EglX11, WindowsThatShowNoPicture) {
+  const Client client(*mServer);
+  Display *x = mServer->connection();
+  XVisualInfo own{};
+  own.visual = DefaultVisual(x, DefaultScreen(x));
+  EXPECT_FALSE(client.surface(otherWindow(x, own, InputOnly)));
+  EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
+}
+
+TEST_P(EglX11, APaletteIsNoMatch) {
+  const XServer grey({"-screen", "0", "320x240x8"});
+  ASSERT_TRUE(grey.connection());
+  XSetErrorHandler(countErrors);
+  const Client client(grey);
+  EXPECT_FALSE(client.surface(client.window(20, 20)));
+  EXPECT_EQ(eglGetError(), EGL_BAD_MATCH);
+  EXPECT_FALSE(client.surface(None)) << "the library makes none of its own";
+  EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
+  const EGLSurface off = client.pbuffer(8, 8);
+  EXPECT_TRUE(client.makeCurrent(off));
+  EXPECT_TRUE(client.swap(off)) << "pbuffers do not mind";
+  // The config names a visual that holds colours, as the server has one beside its palettes.
+  XVisualInfo wanted{};
+  EGLint id = 0;
+  EXPECT_TRUE(eglGetConfigAttrib(client.display, client.config, EGL_NATIVE_VISUAL_ID, &id));
+  wanted.visualid = VisualID(id);
+  int count = 0;
+  XVisualInfo *info = XGetVisualInfo(grey.connection(), VisualIDMask, &wanted, &count);
+  ASSERT_EQ(count, 1);
+  EXPECT_EQ(info->c_class, TrueColor);
+  EXPECT_TRUE(client.surface(otherWindow(grey.connection(), *info, InputOutput)));
+  XFree(info);
+}
+
+// Nobody is held up by a window that does not come. [egl/display.h]
+TEST_P(EglX11, OthersGoOnWhileAWindowIsWaitedFor) {
+  const Client client(*mServer);
+  const EGLSurface off = client.pbuffer(8, 8);
+  std::atomic<bool> done = false;
+  std::thread waits([&] {
+    EXPECT_FALSE(client.surface(0x7fffff));
+    EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
+    done = true;
+  });
+  int calls = 0;
+  for (EGLint value = 0; !done; ++calls) EXPECT_TRUE(eglQuerySurface(client.display, off, EGL_WIDTH, &value));
+  waits.join();
+  EXPECT_GT(calls, 20) << "they came one by one";
+}
+
+// The next connection may be at the address of one that was closed.
+TEST_P(EglX11, AClosedDisplayIsNotTheNextOne) {
+  const auto open = [&] { return XOpenDisplay(mServer->name().c_str()); };
+  std::vector<EGLDisplay> seen;
+  for (int round = 0; round < 4; ++round) {
+    Display *x = open();
+    ASSERT_TRUE(x);
+    const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_X11_KHR, x, nullptr);
+    ASSERT_EQ(std::count(seen.begin(), seen.end(), display), 0) << "a display of before";
+    seen.push_back(display);
+    ASSERT_TRUE(eglInitialize(display, nullptr, nullptr));
+    EXPECT_EQ(eglGetDisplay(x), display);
+    EXPECT_TRUE(round % 2 == 0 || eglTerminate(display));
+    XCloseDisplay(x);
+    EXPECT_NE(eglGetDisplay(x), display) << "whatever is there now is another one";
+    // The old display works on, over its own connection, until it ends; then there is nothing to connect to.
+    EGLint count = 0;
+    EXPECT_EQ(eglGetConfigs(display, nullptr, 0, &count), EGLBoolean(round % 2 == 0));
+    EXPECT_TRUE(eglTerminate(display));
+    EXPECT_FALSE(eglInitialize(display, nullptr, nullptr));
+    EXPECT_EQ(eglGetError(), EGL_NOT_INITIALIZED);
+  }
+}
+
 TEST_P(EglX11, ASingleBufferShowsWithoutASwap) {
   const Client client(*mServer);
   const Window window = client.window(64, 64);
@@ -244,6 +358,30 @@ TEST_P(EglX11, FiveHundredSizes) {
     const bool look = i % 50 == 0;
     ASSERT_LE(look ? difference(mServer->screenshot(window), traced()) : 0, GetParam().rounding) << i;
   }
+}
+
+// A program asks before it draws: for its viewport, and for what of the last picture is left.
+TEST_P(EglX11, ASizeIsKnownBeforeTheFrame) {
+  const Client client(*mServer);
+  const Window window = client.window(64, 48);
+  const EGLSurface surface = client.surface(window);
+  ASSERT_TRUE(client.makeCurrent(surface));
+  ASSERT_TRUE(client.swap(surface));
+  const auto value = [&](EGLint name) {
+    EGLint answer = -1;
+    EXPECT_TRUE(eglQuerySurface(client.display, surface, name, &answer));
+    return answer;
+  };
+  EXPECT_EQ(value(EGL_BUFFER_AGE_EXT), 1);
+  mServer->resize(window, 30, 20);
+  EXPECT_EQ(value(EGL_WIDTH), 30);
+  EXPECT_EQ(value(EGL_HEIGHT), 20);
+  EXPECT_EQ(value(EGL_BUFFER_AGE_EXT), 0) << "the picture is gone";
+  mServer->resize(window, 31, 20);
+  EXPECT_EQ(value(EGL_BUFFER_AGE_EXT), 0) << "asked first";
+  ASSERT_TRUE(client.swap(surface));
+  EXPECT_EQ(traced().width, 31);
+  EXPECT_EQ(value(EGL_BUFFER_AGE_EXT), 1);
 }
 
 TEST_P(EglX11, AWindowDestroyedUnderUs) {
