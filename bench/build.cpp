@@ -3,7 +3,6 @@
 //
 // Milliseconds of a build whose buffers are in place, as a frame with moving geometry pays them: ours beside the
 // peers', in one process, in turns; the median of the rounds. The vertices move a little before each.
-#include <chrono>
 #include <cstdio>
 
 #include "peers/report.h"
@@ -19,16 +18,14 @@ void measureScene(Soup &soup, int threads, const Arguments &arguments, std::vect
 #ifdef RAYCORE_EMBREE
   addEmbreeBuilders(soup, threads, builders);
 #endif
-  std::erase_if(builders,
-                [&](const auto &builder) { return builder->name().find(arguments.who) == std::string::npos; });
+  std::erase_if(builders, [&](const auto &builder) { return !isWanted(builder->name(), arguments.who); });
   std::vector<std::vector<double>> times(builders.size());
   for (int round = 0; round <= arguments.rounds; ++round) {
     for (rc::Vec3 &v : soup.vertices) v.y += round % 2 ? -1e-4f : 1e-4f;
     for (size_t i = 0; i < builders.size(); ++i) {
-      const auto start = std::chrono::steady_clock::now();
+      const Stopwatch watch(arguments, threads);
       builders[i]->build();
-      const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-      if (round > 0) times[i].push_back(time.count());  // the first one warms up
+      if (round > 0) times[i].push_back(1e3 * watch.seconds());  // the first one warms up
     }
   }
   for (size_t i = 0; i < builders.size(); ++i) {

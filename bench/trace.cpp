@@ -4,7 +4,6 @@
 // Millions of rays a second: ours beside the peers that were found when this was built. All in one process, on the
 // same rays, in turns; the median of the rounds. Rays are checked against the first tracer of the list.
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <thread>
 
@@ -28,7 +27,8 @@ void flushDenormals() {
 
 constexpr size_t kChunk = 1024;
 
-double megaraysPerSecond(const Tracer &tracer, Kind kind, const RayBatch &rays, int threads, FirstHit *hits) {
+double megaraysPerSecond(const Tracer &tracer, Kind kind, const RayBatch &rays, const Arguments &arguments, int threads,
+                         FirstHit *hits) {
   std::atomic<size_t> next{0};
   std::atomic<int> ready{0};
   std::atomic<bool> go{false};
@@ -47,12 +47,11 @@ double megaraysPerSecond(const Tracer &tracer, Kind kind, const RayBatch &rays, 
     });
   }
   while (ready < threads - 1) std::this_thread::yield();
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch(arguments, threads);
   go = true;
   work();
   for (std::thread &helper : helpers) helper.join();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return double(rays.size()) / seconds * 1e-6;
+  return double(rays.size()) / watch.seconds() * 1e-6;
 }
 
 size_t mismatches(Kind kind, const std::vector<FirstHit> &found, const std::vector<FirstHit> &truth) {
@@ -72,14 +71,14 @@ void measure(const Soup &soup, const std::string &size, Kind kind, const RayBatc
   std::vector<FirstHit> truth(rays.size()), hits(rays.size());
   std::vector<size_t> wrong(tracers.size());
   for (size_t i = 0; i < tracers.size(); ++i) {
-    megaraysPerSecond(*tracers[i], kind, rays, 1, i == 0 ? truth.data() : hits.data());
+    megaraysPerSecond(*tracers[i], kind, rays, arguments, 1, i == 0 ? truth.data() : hits.data());
     if (i > 0) wrong[i] = mismatches(kind, hits, truth);
   }
   for (const int threads : arguments.threads) {
     std::vector<std::vector<double>> speeds(tracers.size());
     for (int round = 0; round < arguments.rounds; ++round) {
       for (size_t i = 0; i < tracers.size(); ++i) {
-        speeds[i].push_back(megaraysPerSecond(*tracers[i], kind, rays, threads, hits.data()));
+        speeds[i].push_back(megaraysPerSecond(*tracers[i], kind, rays, arguments, threads, hits.data()));
       }
     }
     for (size_t i = 0; i < tracers.size(); ++i) {
@@ -100,11 +99,10 @@ void measure(const Soup &soup, const std::string &size, Kind kind, const RayBatc
 
 void measureScene(const Soup &soup, const Arguments &arguments, std::vector<Result> &results) {
   Tracers tracers;
-  addRaycore(soup, 2, tracers);
+  addRaycore(soup, 2, arguments.who, tracers);
 #ifdef RAYCORE_EMBREE
-  addEmbree(soup, 2, tracers);
+  addEmbree(soup, 2, arguments.who, tracers);
 #endif
-  std::erase_if(tracers, [&](const auto &tracer) { return tracer->name().find(arguments.who) == std::string::npos; });
   bool first = true;
   for (const auto &[width, height] : arguments.sizes) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
@@ -113,7 +111,7 @@ void measureScene(const Soup &soup, const Arguments &arguments, std::vector<Resu
     if (!first) continue;
     first = false;
     std::vector<FirstHit> hits(primary.size());
-    megaraysPerSecond(*tracers[0], kPrimary, primary, 1, hits.data());
+    megaraysPerSecond(*tracers[0], kPrimary, primary, arguments, 1, hits.data());
     for (const Kind kind : {kShadow, kMirror, kDiffuse}) {
       measure(soup, size, kind, secondaryRays(soup, kind, primary, hits), tracers, arguments, results);
     }

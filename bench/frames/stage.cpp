@@ -6,25 +6,12 @@
 #include <RC/rcu.h>
 
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/stopwatch.h"
+
 namespace rc::bench {
-namespace {
-
-class Stopwatch {
- public:
-  double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - mStart).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point mStart = std::chrono::steady_clock::now();
-};
-
-}  // namespace
-
 Stage::Stage(const FrameScene &scene, int width, int height, int threads)
     : mScene(scene), mWidth(width), mHeight(height) {
   setenv("RAYCORE_THREADS", std::to_string(threads).c_str(), 1);

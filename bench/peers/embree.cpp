@@ -155,8 +155,9 @@ class EmbreeBuilder final : public Builder {
 
 }  // namespace
 
-void addEmbree(const Soup &soup, int threads, Tracers &tracers) {
+void addEmbree(const Soup &soup, int threads, const std::vector<std::string> &who, Tracers &tracers) {
   for (const Quality &quality : {kHigh, kMedium}) {
+    if (!isWanted(std::string("embree ") + quality.name, who)) continue;
     const auto mesh = std::make_shared<Mesh>(soup, quality, threads);
     tracers.push_back(std::make_unique<Single>(mesh, quality.name));
     tracers.push_back(std::make_unique<Packets>(mesh, quality.name));

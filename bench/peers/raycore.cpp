@@ -68,7 +68,7 @@ class RaycoreBuilder : public Builder {
   std::string task() const override { return mTask; }
   void build() override {
     readVertices();
-    mAccel = ddk::buildAccel(mKind, mTriangles, mWorkers, mLifetime);
+    mAccel = ddk::buildAccel(mKind, mTriangles, mWorkers, mLifetime, std::move(mAccel));
   }
 
  protected:
@@ -104,8 +104,9 @@ class RaycoreRefit final : public RaycoreBuilder {
 
 }  // namespace
 
-void addRaycore(const Soup &soup, int threads, Tracers &tracers) {
+void addRaycore(const Soup &soup, int threads, const std::vector<std::string> &who, Tracers &tracers) {
   const auto add = [&](AccelKind kind, ddk::Lifetime lifetime, const char *name) {
+    if (!isWanted(name, who)) return;
     tracers.push_back(std::make_unique<RaycoreTracer>(soup, kind, lifetime, name, threads));
   };
   add(AccelKind::Bvh, ddk::Lifetime::Scene, "raycore bvh");

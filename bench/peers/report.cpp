@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <sstream>
 
 namespace rc::bench {
@@ -12,9 +13,9 @@ namespace {
 
 [[noreturn]] void usage(const char *program) {
   std::fprintf(stderr,
-               "usage: %s [--scenes DIR] [--json FILE] [--only NAME[,NAME]] [--who PART] [--kind PART] [--size "
+               "usage: %s [--scenes DIR] [--json FILE] [--only NAME[,NAME]] [--who PART[,PART]] [--kind PART] [--size "
                "WxH[,WxH]] [--threads N[,N]] "
-               "[--rounds N] [--peer PROGRAM] [--pictures DIR]\n",
+               "[--rounds N] [--clock wall|cpu] [--peer PROGRAM] [--pictures DIR]\n",
                program);
   std::exit(2);
 }
@@ -55,7 +56,7 @@ Arguments readArguments(int argc, char **argv) {
     } else if (option == "--json") {
       arguments.json = value;
     } else if (option == "--who") {
-      arguments.who = value;
+      arguments.who = split(value);
     } else if (option == "--kind") {
       arguments.kind = value;
     } else if (option == "--only") {
@@ -76,11 +77,20 @@ Arguments readArguments(int argc, char **argv) {
       for (const std::string &part : split(value)) arguments.threads.push_back(std::max(1, std::atoi(part.c_str())));
     } else if (option == "--rounds") {
       arguments.rounds = std::max(1, std::atoi(value));
+    } else if (option == "--clock") {
+      if (std::string(value) != "wall" && std::string(value) != "cpu") usage(argv[0]);
+      arguments.processorTime = std::string(value) == "cpu";
     } else {
       usage(argv[0]);
     }
   }
   return arguments;
+}
+
+double Stopwatch::now() const {
+  std::timespec time;
+  clock_gettime(mProcessor ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 double medianOf(std::vector<double> values) {

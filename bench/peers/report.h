@@ -13,20 +13,37 @@ namespace rc::bench {
 
 struct Arguments {
   std::string scenes = "../shared/scenes";
-  std::string json;       // written if not empty
-  std::string peer;       // a program that frames are compared with
-  std::string pictures;   // the folder that frames are written to, if not empty
-  std::string who, kind;  // only those whose names contain this
+  std::string json;              // written if not empty
+  std::string peer;              // a program that frames are compared with
+  std::string pictures;          // the folder that frames are written to, if not empty
+  std::string kind;              // only kinds whose names contain this
+  std::vector<std::string> who;  // only those whose names contain one of these
   std::vector<std::string> names = {"cornell", "bunny", "sponza", "dragon203k", "dragon871k"};
   std::vector<std::pair<int, int>> sizes = {{800, 480}, {1920, 1080}};
   std::vector<int> threads = {1, 2};
   bool chosen = false;  // names were given
   int rounds = 9;
+  bool processorTime = false;
 };
 
-// --scenes DIR --json FILE --only NAME[,NAME] --who PART --kind PART --size WxH[,WxH] --threads N[,N] --rounds N
-// --peer PROGRAM --pictures DIR. Ends the program on others.
+// --scenes DIR --json FILE --only NAME[,NAME] --who PART[,PART] --kind PART --size WxH[,WxH] --threads N[,N] --rounds N
+// --clock wall|cpu --peer PROGRAM --pictures DIR. Ends the program on others.
 Arguments readArguments(int argc, char **argv);
+
+// Seconds from here to seconds(). On a machine that is busy with other work, what one thread does is better measured by
+// the time it had a processor: --clock cpu. Several threads are always measured by the wall clock.
+class Stopwatch {
+ public:
+  Stopwatch(const Arguments &arguments, int threads)
+      : mProcessor(arguments.processorTime && threads == 1), mStart(now()) {}
+  double seconds() const { return now() - mStart; }
+
+ private:
+  double now() const;
+
+  bool mProcessor;
+  double mStart;
+};
 
 // A line of a result: who did what how fast. Values are better when larger (Mrays/s) or smaller (ms), as said.
 struct Result {

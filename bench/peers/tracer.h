@@ -4,7 +4,9 @@
 // tracer.h: what a tracer has to offer to be measured beside the others: build, rebuild, trace.
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <string>
 
 #include "peers/rays.h"
 
@@ -35,11 +37,17 @@ class Builder {
 using Tracers = std::vector<std::unique_ptr<Tracer>>;
 using Builders = std::vector<std::unique_ptr<Builder>>;
 
-// All that a peer offers for a scene; the soup must outlive them.
-void addRaycore(const Soup &soup, int threads, Tracers &tracers);
+// Whether a name contains one of the parts, or there are none.
+inline bool isWanted(const std::string &name, const std::vector<std::string> &parts) {
+  return parts.empty() || std::any_of(parts.begin(), parts.end(),
+                                      [&](const std::string &part) { return name.find(part) != std::string::npos; });
+}
+
+// All that a peer offers for a scene, of which are wanted; the soup must outlive them.
+void addRaycore(const Soup &soup, int threads, const std::vector<std::string> &who, Tracers &tracers);
 void addRaycoreBuilders(const Soup &soup, int threads, Builders &builders);
 #ifdef RAYCORE_EMBREE
-void addEmbree(const Soup &soup, int threads, Tracers &tracers);
+void addEmbree(const Soup &soup, int threads, const std::vector<std::string> &who, Tracers &tracers);
 void addEmbreeBuilders(const Soup &soup, int threads, Builders &builders);
 #endif
 

@@ -57,7 +57,7 @@ GeometrySet &Scene::target() {
 void Scene::buildDynamic(AccelKind kind, const Workers &workers) {
   const bool sameKind = mDynamics.accel.kind == kind;
   if (!mDynamicsTraced && !(sameKind && refit(mDynamics.triangles, workers, mDynamics.accel))) {
-    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame);
+    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame, std::move(mDynamics.accel));
   }
   mDynamicsTraced = true;
 }

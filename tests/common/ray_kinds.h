@@ -11,12 +11,13 @@
 
 namespace rc::test {
 
-enum class RayKind { Random, Camera, Diagonal, ToLight, Parallel, Axis, Edge, Grazing };
+enum class RayKind { Random, Camera, Diagonal, ToLight, Parallel, Axis, Edge, Grazing, FarAxis, Slanted };
 inline constexpr RayKind kAllRayKinds[] = {RayKind::Random,   RayKind::Camera, RayKind::Diagonal, RayKind::ToLight,
-                                           RayKind::Parallel, RayKind::Axis,   RayKind::Edge,     RayKind::Grazing};
+                                           RayKind::Parallel, RayKind::Axis,   RayKind::Edge,     RayKind::Grazing,
+                                           RayKind::FarAxis,  RayKind::Slanted};
 inline std::string nameOf(RayKind kind) {
-  static constexpr const char *kNames[] = {"Random",   "Camera", "Diagonal", "ToLight",
-                                           "Parallel", "Axis",   "Edge",     "Grazing"};
+  static constexpr const char *kNames[] = {"Random", "Camera", "Diagonal", "ToLight", "Parallel",
+                                           "Axis",   "Edge",   "Grazing",  "FarAxis", "Slanted"};
   return kNames[size_t(kind)];
 }
 
@@ -71,6 +72,19 @@ inline hal::Ray rayAt(RayKind kind, Targets &targets) {
       Vec3 axis(0);
       axis[int(3 * targets.unit()) % 3] = targets.unit() < 0.5f ? -1.0f : 1.0f;
       return {edgePoint - 2.0f * axis, axis};
+    }
+    // From far away, along an axis or all but along it: what is left of the direction still counts.
+    case RayKind::FarAxis:
+    case RayKind::Slanted: {
+      const int axis = int(3 * targets.unit()) % 3;
+      Vec3 d(0);
+      d[axis] = targets.unit() < 0.5f ? -1.0f : 1.0f;
+      if (kind == RayKind::Slanted) {
+        for (int other : {(axis + 1) % 3, (axis + 2) % 3}) {
+          d[other] = (targets.unit() - 0.5f) * std::pow(10.0f, -6 - 6 * targets.unit());
+        }
+      }
+      return {edgePoint - d * std::pow(10.0f, 4 * targets.unit()), d};
     }
     case RayKind::Edge: {
       const Vec3 d = targets.direction();

@@ -4,12 +4,11 @@
 // The kernels of the cpu device on each instruction set that this machine has, against the scalar unit without a
 // structure: hits equal to the last bit, and the same shadow rays blocked.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cstring>
 
+#include "common/on_each_target.h"
 #include "common/ray_kinds.h"
-#include "rcddi/cpu/trace.h"
 #include "rchal/units/traversal.h"
 
 namespace rc::test {
@@ -19,44 +18,12 @@ using namespace rc::hal;
 
 // The same file is two programs: a quick one, and a slow one with more rays.
 #ifdef RAYCORE_MANY_RAYS
-constexpr size_t kRays = 100000;
+const size_t kRays = raysFromEnvironment(100000);
 #define RAYCORE_RAYS ManyRays
 #else
 constexpr size_t kRays = 3000;
 #define RAYCORE_RAYS Rays
 #endif
-
-struct Columns {
-  std::vector<float> values[6];
-
-  explicit Columns(std::span<const Ray> rays) {
-    for (const Ray &ray : rays) {
-      for (int axis = 0; axis < 3; ++axis) {
-        values[axis].push_back(ray.origin[axis]);
-        values[3 + axis].push_back(ray.direction[axis]);
-      }
-    }
-  }
-  ddi::cpu::RayStream stream() const {
-    return {{values[0].data(), values[1].data(), values[2].data()},
-            {values[3].data(), values[4].data(), values[5].data()},
-            values[0].size()};
-  }
-};
-
-// Calls check() with each target alone; the best one afterwards again.
-template <class Check>
-void onEachTarget(Check &&check) {
-  const int64_t all = hwy::SupportedTargets();
-  int count = 0;
-  for (int64_t rest = all; rest != 0; rest &= rest - 1, ++count) {
-    hwy::SetSupportedTargetsForTest(rest & -rest);
-    SCOPED_TRACE(hwy::TargetName(rest & -rest));
-    check();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  EXPECT_GT(count, 0);
-}
 
 bool sameBits(const Hit &a, const Hit &b) { return std::memcmp(&a, &b, sizeof(Hit)) == 0; }
 

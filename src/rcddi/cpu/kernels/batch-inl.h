@@ -31,7 +31,7 @@ struct alignas(64) Batch {
   float t[kBatchRays];  // of the best hit, or how far to look; -infinity: needs no more
   float u[kBatchRays], v[kBatchRays];
   uint32_t primitive[kBatchRays];
-  uint32_t index[kBatchRays];    // of the ray in the group
+  uint32_t index[kBatchRays];    // of the ray in the group, if the batch is not in place
   float columns[6][kBatchRays];  // what origin and direction point to, if not into the stream
 
   hal::Ray ray(size_t i) const {

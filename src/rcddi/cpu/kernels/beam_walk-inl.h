@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // beam_walk-inl.h: packets through the BVH behind one beam. A node costs one test of its children's boxes for all
-// rays; a triangle of a leaf is tested with those packets whose own beams it may meet.
+// rays, and one for all packets of each child that is met; the triangles of four leaves at a time are tested with those
+// packets whose windows they may be seen through.
 // Reshetov, Soupikov, Hurley: "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005, gives the idea of asking for many
 // rays at a time; the leaves work like tiles of a rasteriser.
 #if defined(RAYCORE_KERNELS_BEAM_WALK_INL) == defined(HWY_TARGET_TOGGLE)
@@ -18,28 +19,61 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-// A set of triangles on its way through the kernels.
-struct Geometry {
-  const hal::GeometryView &view;
-  uint32_t base;  // number of its first primitive
+// Leaves that wait until there are triangles for all lanes.
+struct WaitingLeaves {
+  static constexpr size_t kMost = kLanes / hal::TriangleBlock4::kWidth;
+
+  const hal::TriangleBlock4 *blocks[kMost];  // on their way into the cache
+  size_t count = 0;
+  uint32_t packets = 0;  // that meet the box of a leaf
 };
 
-struct StackEntry {
-  uint32_t child;  // as in BvhNode8
-  float near;
-};
+HWY_INLINE void clearQuarter(size_t quarter, TriangleLanes &triangles) {
+  const D4 d;
+  for (size_t i = quarter * 4; i < quarter * 4 + 4; i += hn::Lanes(d)) {
+    for (auto &vertex : triangles.corners) {
+      for (auto &column : vertex) hn::Store(hn::Zero(d), d, column + i);
+    }
+  }
+}
 
-// Puts the children that the beam meets onto the stack, the nearest one last.
-HWY_INLINE size_t pushChildren(const hal::BvhNode8 &node, const Batch &batch, const Beam &beam, StackEntry *stack,
-                               size_t depth) {
+// Where the packets of the beam meet the box of a child. Returns whether one does.
+HWY_INLINE bool packetsMeet(const hal::BvhNode8 &node, uint32_t child, const Batch &batch, const Beam &beam,
+                            const float *entered, float *near) {
+  const D16 d;
+  using V = hn::Vec<D16>;
+  const auto &x = node.planes[batch.kx], &y = node.planes[batch.ky], &z = node.planes[batch.kz];
+  const int front = beam.zSign < 0;
+  bool some = false;
+  for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
+    V lanes[kBounds];
+    for (size_t k = 0; k < kBounds; ++k) lanes[k] = hn::Load(d, beam.bounds[k] + i);
+    lanes[kNear] = hn::Max(lanes[kNear], hn::Load(d, entered + i));
+    BoxLanes<V> box{hn::Set(d, x[0][child]),
+                    hn::Set(d, x[1][child]),
+                    hn::Set(d, y[0][child]),
+                    hn::Set(d, y[1][child]),
+                    hn::Set(d, z[front][child] * beam.zSign + beam.zOffset),
+                    hn::Set(d, z[!front][child] * beam.zSign + beam.zOffset)};
+    const auto met = meets(d, box, lanes);
+    some |= !hn::AllFalse(d, met);
+    hn::Store(hn::IfThenElse(met, box.near, hn::Set(d, kInfinity)), d, near + i);
+  }
+  return some;
+}
+
+// The children that the beam meets: one test for all of them, then one for all packets.
+HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 &node, const Batch &batch,
+                               const Beam &beam, const float *entered, LanesEntry *stack, size_t depth) {
   const D8 d;
   using V = hn::Vec<D8>;
   V lanes[kBounds];
-  broadcast(d, beam, lanes);
+  for (size_t k = 0; k < kBounds; ++k) lanes[k] = hn::Set(d, beam.all[k]);
   const V sign = hn::Set(d, beam.zSign), offset = hn::Set(d, beam.zOffset);
   const auto &x = node.planes[batch.kx], &y = node.planes[batch.ky], &z = node.planes[batch.kz];
   const int front = beam.zSign < 0;
-  const size_t first = depth;
+  alignas(32) float keys[hal::BvhNode8::kWidth];
+  uint32_t bits = 0;
   for (size_t i = 0; i < hal::BvhNode8::kWidth; i += hn::Lanes(d)) {
     BoxLanes<V> box{hn::Load(d, x[0] + i),
                     hn::Load(d, x[1] + i),
@@ -47,67 +81,63 @@ HWY_INLINE size_t pushChildren(const hal::BvhNode8 &node, const Batch &batch, co
                     hn::Load(d, y[1] + i),
                     hn::MulAdd(hn::Load(d, z[front] + i), sign, offset),
                     hn::MulAdd(hn::Load(d, z[!front] + i), sign, offset)};
-    uint32_t bits = bitsOf(d, meets(d, box, lanes));
-    if (!bits) continue;
-    alignas(32) float near[hal::BvhNode8::kWidth];
-    hn::Store(box.near, d, near);
-    while (bits) {
-      const uint32_t lane = nextBit(bits);
-      size_t place = depth++;
-      for (; place > first && stack[place - 1].near < near[lane]; --place) stack[place] = stack[place - 1];
-      stack[place] = {node.child[i + lane], near[lane]};
-    }
+    bits |= bitsOf(d, meets(d, box, lanes)) << i;
+    hn::Store(box.near, d, keys + i);
   }
-  return depth;
+  ChildrenMet children;
+  while (bits) {
+    const uint32_t child = nextBit(bits);
+    const bool met = packetsMeet(node, child, batch, beam, entered, children.near[child]);
+    children.met |= uint32_t(met) << child;
+  }
+  return push(accel, node, children, keys, stack, depth);
 }
 
-// Returns the packets that have changed.
+// The triangles that wait.
 template <bool kAny, bool kCommon>
-HWY_INLINE uint32_t intersectBlock(const Geometry &geometry, const hal::TriangleBlock4 &block, Batch &batch,
-                                   const Beam &beam) {
-  BlockOutlines seen;
-  uint32_t met = outline(block, batch, beam, seen);
-  uint32_t changed = 0;
-  while (met) {
-    const size_t lane = nextBit(met);
-    const uint32_t primitive = block.primitive[lane];
-    if (primitive == hal::TriangleBlock4::kNone) break;
-    const hal::HotTriangle &triangle = geometry.view.triangles[primitive];
-    if (kAny && geometry.view.filtersShadow && triangle.flags & hal::kFiltersShadow) continue;
-    uint32_t packets = beam.last - beam.first > 1 ? packetsThatMeet(seen, lane, beam) : 1u << beam.first;
-    while (packets) {
-      const uint32_t packet = nextBit(packets);
-      const bool hit =
-          intersectPacket<kAny, kCommon>(batch, seen.corners, lane, triangle, geometry.base + primitive, packet);
-      changed |= uint32_t(hit) << packet;
-    }
+HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &beam, WaitingLeaves &leaves) {
+  TriangleLanes triangles;
+  uint32_t lanes = 0, changed = 0;
+  for (size_t i = 0; i < leaves.count; ++i) lanes |= addBlock<kAny>(geometry, *leaves.blocks[i], batch, i, triangles);
+  for (size_t i = leaves.count; i < WaitingLeaves::kMost; ++i) clearQuarter(i, triangles);
+  Outlines outlines;
+  outline(triangles, batch, beam, outlines);
+  while (leaves.packets) {
+    const uint32_t packet = nextBit(leaves.packets);
+    const uint32_t seen = trianglesIn(outlines, beam, packet) & lanes;
+    const bool hit = intersectPacket<kAny, kCommon>(geometry, batch, triangles, seen, packet);
+    changed |= uint32_t(hit) << packet;
   }
-  return changed;
+  if (changed) shorten(batch, changed, beam);
+  leaves.count = 0;
 }
-
-// So many packets must have found something for looking how short the beam has become.
-constexpr size_t kManyChanges = 4;
 
 template <bool kAny, bool kCommon>
 HWY_NOINLINE void walkWithBeam(const Geometry &geometry, Batch &batch, Beam &beam) {
   const hal::AccelView &accel = geometry.view.accel;
-  StackEntry stack[hal::kMaxBvhStack];
-  stack[0] = {0, -kInfinity};
-  uint32_t changed = 0;
-  for (size_t depth = 1; depth > 0;) {
-    const StackEntry at = stack[--depth];
-    if (at.near > beam.all[kFar]) continue;
-    if (hwy::PopCount(changed) >= kManyChanges) {
-      shorten(batch, changed, beam);
-      changed = 0;
-    }
-    if (at.child & hal::BvhNode8::kLeaf) {
-      changed |= intersectBlock<kAny, kCommon>(geometry, accel.blocks[at.child & ~hal::BvhNode8::kLeaf], batch, beam);
+  WaitingLeaves leaves;
+  alignas(64) float entered[kLanes];
+  LanesEntry stack[hal::kMaxBvhStack];
+  for (size_t p = 0; p < kPackets; ++p) stack[0].near[p] = beam.packets >> p & 1 ? -kFarthest : kInfinity;
+  stack[0].child = 0;
+  size_t depth = 1;
+  for (;;) {
+    uint32_t packets = 0;
+    while (depth > 0 && !packets) packets = lanesBefore(stack[--depth].near, beam.bounds[kFar]);
+    if (!packets) {
+      if (leaves.count == 0) return;
+      intersectLeaves<kAny, kCommon>(geometry, batch, beam, leaves);
       continue;
     }
-    if (changed) shorten(batch, changed, beam);
-    changed = 0;
-    depth = pushChildren(accel.bvhNodes[at.child], batch, beam, stack, depth);
+    const LanesEntry &at = stack[depth];
+    if (at.child & hal::BvhNode8::kLeaf) {
+      leaves.blocks[leaves.count++] = &accel.blocks[at.child & ~hal::BvhNode8::kLeaf];
+      leaves.packets |= packets;
+      if (leaves.count == WaitingLeaves::kMost) intersectLeaves<kAny, kCommon>(geometry, batch, beam, leaves);
+    } else {
+      std::memcpy(entered, at.near, sizeof entered);
+      depth = pushChildren(accel, accel.bvhNodes[at.child], batch, beam, entered, stack, depth);
+    }
   }
 }
 

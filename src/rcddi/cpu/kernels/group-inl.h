@@ -10,19 +10,20 @@
 #define RAYCORE_KERNELS_GROUP_INL
 #endif
 
-#include "rcddi/cpu/kernels/single-inl.h"
+#include "rcddi/cpu/kernels/beam_setup-inl.h"
+#include "rcddi/cpu/kernels/beam_walk-inl.h"
+#include "rcddi/cpu/kernels/lanes_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-// How many triangles a beam may meet on a surface that fills the scene evenly; more, and it is cut up. Together they
-// cost less than their rays alone. Measured with bench/trace.
-constexpr float kMostInTile = 200;
+// How many triangles a packet may meet on a surface that fills the scene evenly; with more of them, its rays go side by
+// side instead. Measured with bench/trace.
 constexpr float kMostInPacket = 40;
 
-// How wide a beam may get for that, as a share of the scene.
-inline float widest(float mostTriangles, size_t triangles) {
-  return std::min(0.25f, std::sqrt(mostTriangles / static_cast<float>(triangles)));
+// How wide a packet may get for that, as a share of the scene.
+inline float widest(size_t triangles) {
+  return std::min(0.25f, std::sqrt(kMostInPacket / static_cast<float>(triangles)));
 }
 
 template <bool kAny>
@@ -32,14 +33,6 @@ HWY_INLINE void walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) 
   } else {
     walkWithBeam<kAny, false>(geometry, batch, beam);
   }
-}
-
-template <bool kAny>
-HWY_INLINE void walkOneByOne(const Geometry &geometry, Batch &batch, size_t packet) {
-  SlabRays slabs;
-  setUp(batch, packet, slabs);
-  const size_t end = std::min((packet + 1) * kPacketRays, batch.rays);
-  for (size_t i = packet * kPacketRays; i < end; ++i) walkAlone<kAny>(geometry, batch, slabs, i);
 }
 
 // The scalar unit, for rays from beyond what the kernels' margins cover.
@@ -78,22 +71,12 @@ HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
   const Bounds &bounds = geometry.view.accel.bounds;
   const float extent = maxComponent(glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper)));
   if (!isTame(batch, extent)) return traceWithUnit<kAny>(geometry, batch);
-  const float size = glm::length(bounds.size());
   const bool endless = !kAny && geometry.base == 0;  // rays end where they hit another geometry
-  const size_t triangles = geometry.view.triangles.size();
   Beam beam;
-  if (batch.packets > 1) {
-    makeBeam(batch, 0, batch.packets, size, endless, beam);
-    if (spread(batch, beam, bounds, size) < widest(kMostInTile, triangles))
-      return walkPackets<kAny>(geometry, batch, beam);
-  }
+  makeBeam(batch, bounds, widest(geometry.view.triangles.size()), endless, beam);
+  if (beam.packets) walkPackets<kAny>(geometry, batch, beam);
   for (size_t packet = 0; packet < batch.packets; ++packet) {
-    makeBeam(batch, packet, packet + 1, size, endless, beam);
-    if (spread(batch, beam, bounds, size) < widest(kMostInPacket, triangles)) {
-      walkPackets<kAny>(geometry, batch, beam);
-    } else {
-      walkOneByOne<kAny>(geometry, batch, packet);
-    }
+    if (!(beam.packets >> packet & 1)) walkInLanes<kAny>(geometry, batch, packet);
   }
 }
 
@@ -166,7 +149,6 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
       batch.origin[axis] = rays.origin[axis] + first;
       batch.direction[axis] = rays.direction[axis] + first;
     }
-    for (uint32_t i = 0; i < count; ++i) batch.index[i] = i;
     setUp(batch, count, classes[0], tMax ? tMax + first : nullptr);
     return traceClass<kAny>(scene, batch, first, hits, blocked);
   }

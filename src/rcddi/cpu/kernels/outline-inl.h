@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// outline-inl.h: which packets a triangle may concern: its outline as seen from where the rays meet, against their
-// windows of slopes, as a rasteriser tests tiles of pixels (Pineda: "A Parallel Algorithm for Polygon Rasterization",
+// outline-inl.h: which triangles a packet may concern: their outlines as seen from where the rays meet, against its
+// window of slopes, as a rasteriser tests tiles of pixels (Pineda: "A Parallel Algorithm for Polygon Rasterization",
 // SIGGRAPH 1988). It only sorts out: margins cover all rounding, and packet-inl.h decides about hits.
 #if defined(RAYCORE_KERNELS_OUTLINE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_KERNELS_OUTLINE_INL
@@ -30,27 +30,9 @@ enum OutlineBound {
   kOutlineBounds = kEdges + 9
 };
 
-struct alignas(16) BlockOutlines {
-  Corners corners;  // as intersectPacket() wants them
-  float bounds[kOutlineBounds][hal::TriangleBlock4::kWidth];
+struct alignas(64) Outlines {
+  float bounds[kOutlineBounds][kLanes];
 };
-
-// Lanes where the outline and the window may have something in common.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> overlap(D d, const V (&outline)[kOutlineBounds], const V (&window)[kWindowBounds]) {
-  const V xHalf = hn::MulAdd(window[kXShift], outline[kCloseness], window[kXHalf]);
-  const V yHalf = hn::MulAdd(window[kYShift], outline[kCloseness], window[kYHalf]);
-  auto both = hn::And(hn::Le(outline[kFront], window[kLast]), hn::Ge(outline[kBack], window[kFirst]));
-  both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline[kXCentre], window[kXMiddle])), hn::Add(outline[kXReach], xHalf)));
-  both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline[kYCentre], window[kYMiddle])), hn::Add(outline[kYReach], yHalf)));
-  for (size_t edge = kEdges; edge < kOutlineBounds; edge += 3) {
-    const V a = outline[edge], b = outline[edge + 1];
-    const V middle = hn::MulAdd(a, window[kXMiddle], hn::MulAdd(b, window[kYMiddle], outline[edge + 2]));
-    const V most = hn::MulAdd(hn::Abs(a), xHalf, hn::MulAdd(hn::Abs(b), yHalf, middle));
-    both = hn::And(both, hn::Ge(most, hn::Zero(d)));
-  }
-  return both;
-}
 
 // A corner in slopes, relative to the middle of the beam's.
 template <class V>
@@ -100,49 +82,52 @@ HWY_INLINE void setOutline(D d, const Seen<V> (&seen)[3], V (&out)[kOutlineBound
   }
 }
 
-// Returns the triangles that the beam may meet.
-HWY_INLINE uint32_t outline(const hal::TriangleBlock4 &block, const Batch &batch, const Beam &beam,
-                            BlockOutlines &out) {
-  const D4 d;
-  using V = hn::Vec<D4>;
+HWY_INLINE void outline(const TriangleLanes &triangles, const Batch &batch, const Beam &beam, Outlines &out) {
+  const D16 d;
+  using V = hn::Vec<D16>;
   const int axes[3] = {batch.kx, batch.ky, batch.kz};
-  V window[kWindowBounds];
-  for (size_t k = 0; k < kWindowBounds; ++k) window[k] = hn::Set(d, beam.window[k]);
-  uint32_t met = 0;
-  for (size_t i = 0; i < hal::TriangleBlock4::kWidth; i += hn::Lanes(d)) {
+  float origin[3] = {};
+  for (size_t k = 0; k < 3 && batch.common; ++k) origin[k] = batch.origin[axes[k]][0];
+  const V zSign = hn::Set(d, beam.zSign), zOffset = hn::Set(d, beam.zSign * origin[2] + beam.zOffset);
+  const V xMeet = hn::Set(d, beam.xMeet - origin[0]), yMeet = hn::Set(d, beam.yMeet - origin[1]);
+  for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
     Seen<V> seen[3];
     for (size_t v = 0; v < 3; ++v) {
-      V world[3];
-      for (size_t k = 0; k < 3; ++k) {
-        world[k] = hn::Load(d, block.vertices[v][axes[k]] + i);
-        const V origin = hn::Set(d, batch.common ? batch.origin[axes[k]][0] : 0.0f);
-        hn::Store(hn::Sub(world[k], origin), d, out.corners[v][k] + i);
-      }
-      const V z = hn::MulAdd(world[2], hn::Set(d, beam.zSign), hn::Set(d, beam.zOffset));
-      const V inverse = hn::Div(hn::Set(d, 1.0f), z);
-      seen[v].x = hn::MulSub(hn::Sub(world[0], hn::Set(d, beam.xMeet)), inverse, hn::Set(d, beam.xSlope));
-      seen[v].y = hn::MulSub(hn::Sub(world[1], hn::Set(d, beam.yMeet)), inverse, hn::Set(d, beam.ySlope));
-      seen[v].z = z;
+      seen[v].z = hn::MulAdd(hn::Load(d, triangles.corners[v][2] + i), zSign, zOffset);
+      const V inverse = hn::Div(hn::Set(d, 1.0f), seen[v].z);
+      const V x = hn::Sub(hn::Load(d, triangles.corners[v][0] + i), xMeet);
+      const V y = hn::Sub(hn::Load(d, triangles.corners[v][1] + i), yMeet);
+      seen[v].x = hn::MulSub(x, inverse, hn::Set(d, beam.xSlope));
+      seen[v].y = hn::MulSub(y, inverse, hn::Set(d, beam.ySlope));
     }
     V bounds[kOutlineBounds];
     setOutline(d, seen, bounds);
-    met |= bitsOf(d, overlap(d, bounds, window)) << i;
     for (size_t k = 0; k < kOutlineBounds; ++k) hn::Store(bounds[k], d, out.bounds[k] + i);
   }
-  return met;
 }
 
-// Packets whose windows may have something in common with a triangle of the block.
-HWY_INLINE uint32_t packetsThatMeet(const BlockOutlines &block, size_t triangle, const Beam &beam) {
+// Triangles whose outlines may have something in common with the window of a packet.
+HWY_INLINE uint32_t trianglesIn(const Outlines &outlines, const Beam &beam, size_t packet) {
   const D16 d;
   using V = hn::Vec<D16>;
-  V outline[kOutlineBounds];
-  for (size_t k = 0; k < kOutlineBounds; ++k) outline[k] = hn::Set(d, block.bounds[k][triangle]);
   uint32_t bits = 0;
-  for (size_t p = 0; p < kPackets; p += hn::Lanes(d)) {
-    V window[kWindowBounds];
-    for (size_t k = 0; k < kWindowBounds; ++k) window[k] = hn::Load(d, beam.windows[k] + p);
-    bits |= bitsOf(d, overlap(d, outline, window)) << p;
+  for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
+    const auto outline = [&](size_t bound) HWY_ATTR { return hn::Load(d, outlines.bounds[bound] + i); };
+    const auto window = [&](WindowBound bound) HWY_ATTR { return hn::Set(d, beam.windows[bound][packet]); };
+    const V closeness = outline(kCloseness), xMiddle = window(kXMiddle), yMiddle = window(kYMiddle);
+    const V xHalf = hn::MulAdd(window(kXShift), closeness, window(kXHalf));
+    const V yHalf = hn::MulAdd(window(kYShift), closeness, window(kYHalf));
+    auto both = hn::And(hn::Le(outline(kFront), hn::Set(d, beam.bounds[kFar][packet])),
+                        hn::Ge(outline(kBack), hn::Set(d, beam.bounds[kNear][packet])));
+    both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline(kXCentre), xMiddle)), hn::Add(outline(kXReach), xHalf)));
+    both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline(kYCentre), yMiddle)), hn::Add(outline(kYReach), yHalf)));
+    for (size_t edge = kEdges; edge < kOutlineBounds; edge += 3) {
+      const V a = outline(edge), b = outline(edge + 1);
+      const V middle = hn::MulAdd(a, xMiddle, hn::MulAdd(b, yMiddle, outline(edge + 2)));
+      const V most = hn::MulAdd(hn::Abs(a), xHalf, hn::MulAdd(hn::Abs(b), yHalf, middle));
+      both = hn::And(both, hn::Ge(most, hn::Zero(d)));
+    }
+    bits |= bitsOf(d, both) << i;
   }
   return bits;
 }

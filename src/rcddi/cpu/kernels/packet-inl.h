@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// packet-inl.h: one triangle against the rays of a packet: the watertight test of units/intersection.h, operation
+// packet-inl.h: triangles against the rays of a packet: the watertight test of units/intersection.h, operation
 // by operation, so that hits are equal to the last bit. No multiplication is fused with an addition here.
 #if defined(RAYCORE_KERNELS_PACKET_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_KERNELS_PACKET_INL
@@ -11,6 +11,7 @@
 #endif
 
 #include "rcddi/cpu/kernels/batch-inl.h"
+#include "rcddi/cpu/kernels/lanes_stack-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
@@ -21,11 +22,43 @@ struct Corner {
   V x, y, z;
 };
 
-// The corners of the triangles of a block by vertex, along kx, ky, kz; less the origin if the batch has a common one.
-using Corners = float[3][3][hal::TriangleBlock4::kWidth];
+// Up to 16 triangles, from four blocks.
+struct alignas(64) TriangleLanes {
+  float corners[3][3][kLanes];  // by vertex, along kx, ky, kz; less the origin if the batch has a common one
+  uint32_t primitive[kLanes];   // in the geometry
+};
+
+// Copies a block into a quarter of the lanes. Returns the lanes that hold a triangle to be tested.
+template <bool kAny>
+HWY_INLINE uint32_t addBlock(const Geometry &geometry, const hal::TriangleBlock4 &block, const Batch &batch,
+                             size_t quarter, TriangleLanes &out) {
+  const D4 d;
+  const hn::RebindToUnsigned<D4> du;
+  const int axes[3] = {batch.kx, batch.ky, batch.kz};
+  const size_t first = quarter * hal::TriangleBlock4::kWidth;
+  uint32_t lanes = 0;
+  for (size_t i = 0; i < hal::TriangleBlock4::kWidth; i += hn::Lanes(d)) {
+    for (size_t k = 0; k < 3; ++k) {
+      const auto origin = hn::Set(d, batch.common ? batch.origin[axes[k]][0] : 0.0f);
+      for (size_t v = 0; v < 3; ++v) {
+        hn::Store(hn::Sub(hn::Load(d, block.vertices[v][axes[k]] + i), origin), d, out.corners[v][k] + first + i);
+      }
+    }
+    const auto primitive = hn::Load(du, block.primitive + i);
+    hn::Store(primitive, du, out.primitive + first + i);
+    lanes |= bitsOf(d, hn::RebindMask(d, hn::Ne(primitive, hn::Set(du, hal::TriangleBlock4::kNone)))) << i;
+  }
+  if (kAny && HWY_UNLIKELY(geometry.view.filtersShadow)) {
+    for (uint32_t rest = lanes; rest;) {
+      const uint32_t lane = nextBit(rest);
+      if (geometry.view.triangles[block.primitive[lane]].flags & hal::kFiltersShadow) lanes &= ~(1u << lane);
+    }
+  }
+  return lanes << first;
+}
 
 template <bool kCommon>
-HWY_INLINE Corner<hn::Vec<D16>> shear(const Batch &batch, const float (&vertex)[3][4], size_t lane, size_t i) {
+HWY_INLINE Corner<hn::Vec<D16>> shear(const Batch &batch, const float (&vertex)[3][kLanes], size_t lane, size_t i) {
   const D16 d;
   auto x = hn::Set(d, vertex[0][lane]), y = hn::Set(d, vertex[1][lane]), z = hn::Set(d, vertex[2][lane]);
   if constexpr (!kCommon) {
@@ -52,14 +85,14 @@ HWY_INLINE void record(Batch &batch, size_t i, const hal::Hit &hit) {
 
 // Rays that meet an edge as exactly as float can tell: the scalar unit decides.
 template <bool kAny>
-HWY_NOINLINE bool intersectOnEdge(Batch &batch, const hal::HotTriangle &triangle, uint32_t primitive, size_t first,
+HWY_NOINLINE bool intersectOnEdge(const Geometry &geometry, Batch &batch, uint32_t primitive, size_t first,
                                   uint32_t lanes) {
   bool changed = false;
   while (lanes) {
     const size_t i = first + nextBit(lanes);
     hal::Hit hit;
-    if (!hal::intersectTriangle(hal::ShearedRay(batch.ray(i)), triangle, hit)) continue;
-    hit.primitive = primitive;
+    if (!hal::intersectTriangle(hal::ShearedRay(batch.ray(i)), geometry.view.triangles[primitive], hit)) continue;
+    hit.primitive = geometry.base + primitive;
     if (kAny ? !(hit.t > 0 && hit.t < batch.t[i]) : !improves(batch, i, hit)) continue;
     record<kAny>(batch, i, hit);
     changed = true;
@@ -67,45 +100,59 @@ HWY_NOINLINE bool intersectOnEdge(Batch &batch, const hal::HotTriangle &triangle
   return changed;
 }
 
-// Returns whether a ray has got a better hit, or is blocked.
+// One triangle against the rays from i on. Returns whether one of them has got a better hit, or is blocked.
 template <bool kAny, bool kCommon>
-HWY_INLINE bool intersectPacket(Batch &batch, const Corners &corners, size_t lane, const hal::HotTriangle &triangle,
-                                uint32_t primitive, size_t packet) {
+HWY_INLINE bool intersectTriangle(const Geometry &geometry, Batch &batch, const TriangleLanes &triangles, size_t lane,
+                                  size_t i) {
   const D16 d;
   const hn::RebindToUnsigned<D16> du;
   const auto zero = hn::Zero(d);
+  const auto a = shear<kCommon>(batch, triangles.corners[0], lane, i);
+  const auto b = shear<kCommon>(batch, triangles.corners[1], lane, i);
+  const auto c = shear<kCommon>(batch, triangles.corners[2], lane, i);
+  const auto wa = hn::Sub(hn::Mul(c.x, b.y), hn::Mul(c.y, b.x));
+  const auto wb = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
+  const auto wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
+  const auto least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
+  auto inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
+  if (hn::AllFalse(d, inside)) return false;
   bool changed = false;
-  for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(d)) {
-    const auto a = shear<kCommon>(batch, corners[0], lane, i), b = shear<kCommon>(batch, corners[1], lane, i);
-    const auto c = shear<kCommon>(batch, corners[2], lane, i);
-    const auto wa = hn::Sub(hn::Mul(c.x, b.y), hn::Mul(c.y, b.x));
-    const auto wb = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
-    const auto wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
-    const auto least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
-    auto inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
-    if (hn::AllFalse(d, inside)) continue;
-    const auto onEdge = hn::And(inside, hn::Or(hn::Eq(least, zero), hn::Eq(most, zero)));
-    if (HWY_UNLIKELY(!hn::AllFalse(d, onEdge))) {
-      changed |= intersectOnEdge<kAny>(batch, triangle, primitive, i, bitsOf(d, onEdge));
-      inside = hn::AndNot(onEdge, inside);
-    }
-    const auto scale = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(wa, wb), wc));
-    const auto height = hn::Add(hn::Add(hn::Mul(wa, a.z), hn::Mul(wb, b.z)), hn::Mul(wc, c.z));
-    const auto t = hn::Mul(hn::Mul(height, hn::Load(d, batch.sz + i)), scale);
-    const auto best = hn::Load(d, batch.t + i);
-    auto better = hn::Lt(t, best);
-    if constexpr (!kAny) {
-      const auto lower = hn::Lt(hn::Set(du, primitive), hn::Load(du, batch.primitive + i));
-      better = hn::Or(better, hn::And(hn::Eq(t, best), hn::RebindMask(d, lower)));
-    }
-    const auto accept = hn::And(inside, hn::And(hn::Gt(t, zero), better));
-    if (hn::AllFalse(d, accept)) continue;
-    changed = true;
-    hn::Store(hn::IfThenElse(accept, kAny ? hn::Set(d, -kInfinity) : t, best), d, batch.t + i);
-    if constexpr (!kAny) {
-      hn::BlendedStore(hn::Mul(wb, scale), accept, d, batch.u + i);
-      hn::BlendedStore(hn::Mul(wc, scale), accept, d, batch.v + i);
-      hn::BlendedStore(hn::Set(du, primitive), hn::RebindMask(du, accept), du, batch.primitive + i);
+  const auto onEdge = hn::And(inside, hn::Or(hn::Eq(least, zero), hn::Eq(most, zero)));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, onEdge))) {
+    changed = intersectOnEdge<kAny>(geometry, batch, triangles.primitive[lane], i, bitsOf(d, onEdge));
+    inside = hn::AndNot(onEdge, inside);
+  }
+  const uint32_t primitive = geometry.base + triangles.primitive[lane];
+  const auto scale = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(wa, wb), wc));
+  const auto height = hn::Add(hn::Add(hn::Mul(wa, a.z), hn::Mul(wb, b.z)), hn::Mul(wc, c.z));
+  const auto t = hn::Mul(hn::Mul(height, hn::Load(d, batch.sz + i)), scale);
+  const auto best = hn::Load(d, batch.t + i);
+  auto better = hn::Lt(t, best);
+  if constexpr (!kAny) {
+    const auto lower = hn::Lt(hn::Set(du, primitive), hn::Load(du, batch.primitive + i));
+    better = hn::Or(better, hn::And(hn::Eq(t, best), hn::RebindMask(d, lower)));
+  }
+  const auto accept = hn::And(inside, hn::And(hn::Gt(t, zero), better));
+  if (hn::AllFalse(d, accept)) return changed;
+  hn::Store(hn::IfThenElse(accept, kAny ? hn::Set(d, -kInfinity) : t, best), d, batch.t + i);
+  if constexpr (!kAny) {
+    hn::BlendedStore(hn::Mul(wb, scale), accept, d, batch.u + i);
+    hn::BlendedStore(hn::Mul(wc, scale), accept, d, batch.v + i);
+    hn::BlendedStore(hn::Set(du, primitive), hn::RebindMask(du, accept), du, batch.primitive + i);
+  }
+  return true;
+}
+
+// The triangles whose bits are set against a packet. Returns whether a ray has got a better hit, or is blocked.
+template <bool kAny, bool kCommon>
+HWY_INLINE bool intersectPacket(const Geometry &geometry, Batch &batch, const TriangleLanes &triangles, uint32_t lanes,
+                                size_t packet) {
+  const D16 d;
+  bool changed = false;
+  while (lanes) {
+    const uint32_t lane = nextBit(lanes);
+    for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(d)) {
+      changed |= intersectTriangle<kAny, kCommon>(geometry, batch, triangles, lane, i);
     }
   }
   return changed;

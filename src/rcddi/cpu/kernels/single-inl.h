@@ -10,9 +10,8 @@
 #define RAYCORE_KERNELS_SINGLE_INL
 #endif
 
-#include <hwy/cache_control.h>
-
-#include "rcddi/cpu/kernels/beam_walk-inl.h"
+#include "rcddi/cpu/kernels/lanes_stack-inl.h"
+#include "rcddi/cpu/kernels/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
@@ -30,8 +29,7 @@ HWY_INLINE void setUp(const Batch &batch, size_t packet, SlabRays &out) {
   const D16 d;
   for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
     const size_t from = packet * kPacketRays + i;
-    // So small a component moves the ray by less than boxes are widened.
-    const auto small = hn::Mul(hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + from)), hn::Set(d, 1e-8f));
+    const auto small = hn::Set(d, 1e-20f);  // as in the scalar unit
     for (int axis = 0; axis < 3; ++axis) {
       const auto direction = hn::LoadU(d, batch.direction[axis] + from);
       const auto enough = hn::Ge(hn::Abs(direction), small);
@@ -83,12 +81,10 @@ HWY_INLINE uint32_t meets(const hal::BvhNode8 &node, const SlabRay &ray, float t
   return bits;
 }
 
-HWY_INLINE void prefetch(const hal::AccelView &accel, uint32_t child) {
-  const char *place = child & hal::BvhNode8::kLeaf
-                          ? reinterpret_cast<const char *>(&accel.blocks[child & ~hal::BvhNode8::kLeaf])
-                          : reinterpret_cast<const char *>(&accel.bvhNodes[child]);
-  for (int line = 0; line < 3; ++line) hwy::Prefetch(place + 64 * line);
-}
+struct StackEntry {
+  uint32_t child;  // as in BvhNode8
+  float near;
+};
 
 // Returns the nearest of the children whose bits are set, and puts the others onto the stack, nearer ones later.
 HWY_INLINE uint32_t descend(const hal::AccelView &accel, const hal::BvhNode8 &node, uint32_t bits,
@@ -176,12 +172,11 @@ HWY_INLINE bool intersectBlock(const Geometry &geometry, const hal::TriangleBloc
 }
 
 template <bool kAny>
-HWY_NOINLINE void walkAlone(const Geometry &geometry, Batch &batch, const SlabRays &slabs, size_t i) {
+HWY_NOINLINE void walkAlone(const Geometry &geometry, Batch &batch, const SlabRays &slabs, size_t i, uint32_t child) {
   const hal::AccelView &accel = geometry.view.accel;
   const SlabRay slab(slabs, i % kPacketRays);
   StackEntry stack[hal::kMaxBvhStack];
   size_t depth = 0;
-  uint32_t child = 0;
   for (;;) {
     alignas(32) float distance[hal::BvhNode8::kWidth];
     uint32_t bits = 1;

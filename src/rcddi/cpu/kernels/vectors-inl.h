@@ -25,6 +25,9 @@ using D4 = hn::CappedTag<float, 4>;    // the triangles of a block
 using D8 = hn::CappedTag<float, 8>;    // the children of a node
 using D16 = hn::CappedTag<float, 16>;  // the rays of a packet, the packets of a batch
 
+// Instead of infinity, where infinity means that a lane takes no part.
+constexpr float kFarthest = 3e38f;
+
 // Bit i: lane i.
 template <class D>
 HWY_INLINE uint32_t bitsOf(D d, hn::Mask<D> mask) {

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// beam_setup-inl.h: from the rays of a batch to its beam: where they meet, and the hull of each packet.
+#if defined(RAYCORE_KERNELS_BEAM_SETUP_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_KERNELS_BEAM_SETUP_INL
+#undef RAYCORE_KERNELS_BEAM_SETUP_INL
+#else
+#define RAYCORE_KERNELS_BEAM_SETUP_INL
+#endif
+
+#include "rcddi/cpu/kernels/beam-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+// Smallest and largest value.
+template <class V>
+struct Range {
+  V least, most;
+
+  HWY_INLINE void add(V v) {
+    least = hn::Min(least, v);
+    most = hn::Max(most, v);
+  }
+};
+
+// Depth, by zSign alone, of the point that two rays of the range come closest to each other at. Nothing to gain: not
+// a number. (The first and the last ray of a tile are far apart.)
+inline float waist(const Batch &batch, float zSign, size_t i, size_t j) {
+  const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
+  const float sx = zSign * (batch.sx[i] - batch.sx[j]), sy = zSign * (batch.sy[i] - batch.sy[j]);
+  const float bx = (ox[i] - batch.sx[i] * oz[i]) - (ox[j] - batch.sx[j] * oz[j]);
+  const float by = (oy[i] - batch.sy[i] * oz[i]) - (oy[j] - batch.sy[j] * oz[j]);
+  return -(bx * sx + by * sy) / (sx * sx + sy * sy);
+}
+
+struct DepthRange {
+  float start, end;  // by zSign alone
+};
+HWY_INLINE DepthRange depthRange(const Batch &batch, float zSign, size_t first, size_t last) {
+  const D16 d;
+  auto start = hn::Set(d, kInfinity), end = hn::Set(d, -kInfinity);
+  for (size_t i = first * kPacketRays; i < last * kPacketRays; i += hn::Lanes(d)) {
+    const auto z = hn::Mul(hn::LoadU(d, batch.origin[batch.kz] + i), hn::Set(d, zSign));
+    const auto speed = hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + i));
+    start = hn::Min(start, z);
+    end = hn::Max(end, hn::MulAdd(hn::Load(d, batch.t + i), speed, z));
+  }
+  return {hn::GetLane(hn::MinOfLanes(d, start)), hn::GetLane(hn::MaxOfLanes(d, end))};
+}
+
+// Puts depth 0 where the rays meet; if that is amid them, where the first one starts. Returns whether all rays lie
+// before it, as rays to a light do; if not, all lie behind.
+HWY_INLINE bool placeOrigin(const Batch &batch, float extent, Beam &beam) {
+  if (batch.common) {
+    beam.zOffset = -beam.zSign * batch.origin[batch.kz][0];
+    return false;
+  }
+  const DepthRange range = depthRange(batch, beam.zSign, 0, batch.packets);
+  const float z = waist(batch, beam.zSign, 0, batch.rays - 1);
+  const bool useful = std::abs(z - range.start) < 64 * extent;  // beyond, rounding eats what is gained
+  beam.zOffset = useful ? -z : -range.start;
+  if (useful && z >= range.end - 1e-3f * (range.end - range.start)) return true;
+  if (useful && z > range.start) beam.zOffset = -range.start;
+  return false;
+}
+
+// The largest absolute coordinate of origins: what rounding errors grow with.
+HWY_INLINE float magnitude(const Batch &batch, size_t first, size_t last) {
+  const D16 d;
+  auto most = hn::Zero(d);
+  const size_t begin = first * kPacketRays, end = batch.common ? begin + kPacketRays : last * kPacketRays;
+  for (const float *column : batch.origin) {
+    for (size_t i = begin; i < end; i += hn::Lanes(d)) most = hn::Max(most, hn::Abs(hn::LoadU(d, column + i)));
+  }
+  return hn::GetLane(hn::MaxOfLanes(d, most));
+}
+
+// What the rays of each packet lie between: slopes, offsets at depth 0, depths where they start and end.
+struct alignas(64) Hulls {
+  float xSlope[2][kPackets], ySlope[2][kPackets], x[2][kPackets], y[2][kPackets], near[kPackets], far[kPackets];
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void store(D d, const Range<V> &range, float (&out)[2][kPackets], size_t packet) {
+  out[0][packet] = hn::GetLane(hn::MinOfLanes(d, range.least));
+  out[1][packet] = hn::GetLane(hn::MaxOfLanes(d, range.most));
+}
+
+// endless: no ray has an end yet.
+HWY_INLINE void enclose(const Batch &batch, const Beam &beam, size_t packet, bool endless, Hulls &out) {
+  const D16 d;
+  using V = hn::Vec<D16>;
+  const V none = hn::Set(d, kInfinity), sign = hn::Set(d, beam.zSign);
+  Range<V> sx{none, hn::Neg(none)}, sy = sx, cx = sx, cy = sx, start = sx;
+  for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(d)) {
+    const V slopeX = hn::Mul(hn::Load(d, batch.sx + i), sign), slopeY = hn::Mul(hn::Load(d, batch.sy + i), sign);
+    sx.add(slopeX);
+    sy.add(slopeY);
+    if (batch.common) continue;
+    const V z = hn::MulAdd(hn::LoadU(d, batch.origin[batch.kz] + i), sign, hn::Set(d, beam.zOffset));
+    start.add(z);
+    cx.add(hn::NegMulAdd(slopeX, z, hn::LoadU(d, batch.origin[batch.kx] + i)));
+    cy.add(hn::NegMulAdd(slopeY, z, hn::LoadU(d, batch.origin[batch.ky] + i)));
+  }
+  store(d, sx, out.xSlope, packet);
+  store(d, sy, out.ySlope, packet);
+  out.far[packet] = endless ? kFarthest : farthest(batch, beam, packet);
+  if (batch.common) {
+    out.x[0][packet] = out.x[1][packet] = batch.origin[batch.kx][0];
+    out.y[0][packet] = out.y[1][packet] = batch.origin[batch.ky][0];
+    out.near[packet] = 0;
+    return;
+  }
+  store(d, cx, out.x, packet);
+  store(d, cy, out.y, packet);
+  out.near[packet] = hn::GetLane(hn::MinOfLanes(d, start.least));
+}
+
+constexpr float kSlopeMargin = 0x1p-20f;
+
+// before: the rays lie at negative depths, where slopes count the other way round.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void boundsOf(D d, const Hulls &hulls, size_t i, bool before, float margin, V (&out)[kBounds]) {
+  const auto load = [&](const float *column) HWY_ATTR { return hn::Load(d, column + i); };
+  const V wide = hn::Set(d, margin), slope = hn::Set(d, kSlopeMargin);
+  const V xLess = hn::Sub(load(hulls.xSlope[0]), slope), xMore = hn::Add(load(hulls.xSlope[1]), slope);
+  const V yLess = hn::Sub(load(hulls.ySlope[0]), slope), yMore = hn::Add(load(hulls.ySlope[1]), slope);
+  // Rounding, or a light at hand, may lead rays beyond depth 0.
+  const V beyond = before ? hn::Max(load(hulls.far), hn::Zero(d)) : hn::Zero(d);
+  const V xMargin = hn::MulAdd(beyond, hn::Sub(xMore, xLess), wide);
+  const V yMargin = hn::MulAdd(beyond, hn::Sub(yMore, yLess), wide);
+  out[kXUpper] = hn::Add(load(hulls.x[1]), xMargin);
+  out[kXLower] = hn::Sub(load(hulls.x[0]), xMargin);
+  out[kYUpper] = hn::Add(load(hulls.y[1]), yMargin);
+  out[kYLower] = hn::Sub(load(hulls.y[0]), yMargin);
+  out[kXUpperSlope] = before ? xLess : xMore;
+  out[kXLowerSlope] = before ? xMore : xLess;
+  out[kYUpperSlope] = before ? yLess : yMore;
+  out[kYLowerSlope] = before ? yMore : yLess;
+  out[kNear] = hn::Sub(load(hulls.near), wide);
+  out[kFar] = hn::Min(hn::Add(load(hulls.far), wide), hn::Set(d, kFarthest));
+}
+
+// The widest that packets get within the scene: how incoherent their rays are.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V spread(D d, const Batch &batch, const Beam &beam, const V (&bounds)[kBounds], const Bounds &scene) {
+  const V end = hn::Max(bounds[kNear], bounds[kFar]);
+  V z = hn::Zero(d);
+  for (const float plane : {scene.lower[batch.kz], scene.upper[batch.kz]}) {
+    const V depth = hn::Set(d, beam.zSign * plane + beam.zOffset);
+    z = hn::Max(z, hn::Abs(hn::Min(hn::Max(depth, bounds[kNear]), end)));
+  }
+  const V x = hn::Abs(hn::Sub(bounds[kXUpperSlope], bounds[kXLowerSlope]));
+  const V y = hn::Abs(hn::Sub(bounds[kYUpperSlope], bounds[kYLowerSlope]));
+  return hn::Max(hn::MulAdd(z, x, hn::Sub(bounds[kXUpper], bounds[kXLower])),
+                 hn::MulAdd(z, y, hn::Sub(bounds[kYUpper], bounds[kYLower])));
+}
+
+// The bounds of all packets that take part.
+HWY_INLINE void unite(bool before, Beam &beam) {
+  const D16 d;
+  for (const size_t k :
+       {kXUpper, kXUpperSlope, kXLower, kXLowerSlope, kYUpper, kYUpperSlope, kYLower, kYLowerSlope, kNear, kFar}) {
+    const bool slope = k == kXUpperSlope || k == kXLowerSlope || k == kYUpperSlope || k == kYLowerSlope;
+    const bool upper = k == kXUpper || k == kXUpperSlope || k == kYUpper || k == kYUpperSlope || k == kFar;
+    const bool most = upper != (slope && before);
+    auto value = hn::Set(d, most ? -kInfinity : kInfinity);
+    for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
+      const auto lanes = hn::Load(d, beam.bounds[k] + i);
+      const auto takesPart = hn::Gt(hn::Load(d, beam.bounds[kXUpper] + i), hn::Set(d, -kInfinity));
+      value = hn::IfThenElse(takesPart, most ? hn::Max(value, lanes) : hn::Min(value, lanes), value);
+    }
+    beam.all[k] = hn::GetLane(most ? hn::MaxOfLanes(d, value) : hn::MinOfLanes(d, value));
+  }
+}
+
+HWY_INLINE void setWindows(const Hulls &hulls, float margin, Beam &beam) {
+  const D16 d;
+  const auto half = hn::Set(d, 0.5f), wide = hn::Set(d, margin);
+  for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
+    const auto set = [&](const float(&slope)[2][kPackets], const float(&offset)[2][kPackets], float middleSlope,
+                         float meet, size_t first) HWY_ATTR {
+      const auto least = hn::Load(d, slope[0] + i), most = hn::Load(d, slope[1] + i), at = hn::Set(d, meet);
+      hn::Store(hn::MulSub(hn::Add(least, most), half, hn::Set(d, middleSlope)), d, beam.windows[first] + i);
+      hn::Store(hn::MulAdd(hn::Sub(most, least), half, hn::Set(d, kSlopeMargin)), d, beam.windows[first + 1] + i);
+      const auto shift = hn::Max(hn::Sub(hn::Load(d, offset[1] + i), at), hn::Sub(at, hn::Load(d, offset[0] + i)));
+      hn::Store(hn::Add(shift, wide), d, beam.windows[first + 2] + i);
+    };
+    set(hulls.xSlope, hulls.x, beam.xSlope, beam.xMeet, kXMiddle);
+    set(hulls.ySlope, hulls.y, beam.ySlope, beam.yMeet, kYMiddle);
+  }
+}
+
+// The hull of the batch without packets that get wider than `widest`, a share of the scene: these are not in
+// beam.packets.
+HWY_INLINE void makeBeam(const Batch &batch, const Bounds &scene, float widest, bool endless, Beam &beam) {
+  const D16 d;
+  using V = hn::Vec<D16>;
+  const float extent = glm::length(scene.size());
+  beam.zSign = batch.direction[batch.kz][0] < 0 ? -1.0f : 1.0f;
+  const bool before = placeOrigin(batch, extent, beam);
+  const float margin = 0x1p-20f * std::max(std::abs(beam.zOffset), magnitude(batch, 0, batch.packets));
+  Hulls hulls;
+  if (batch.packets < kPackets) hulls = {};
+  for (size_t p = 0; p < batch.packets; ++p) enclose(batch, beam, p, endless, hulls);
+  beam.packets = 0;
+  for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
+    V bounds[kBounds];
+    boundsOf(d, hulls, i, before, margin, bounds);
+    const auto narrow = hn::Le(spread(d, batch, beam, bounds, scene), hn::Set(d, widest * extent));
+    const auto there = hn::Lt(hn::Iota(d, float(i)), hn::Set(d, float(batch.packets)));
+    const auto takesPart = hn::And(narrow, there);
+    beam.packets |= bitsOf(d, takesPart) << i;
+    bounds[kXUpper] = hn::IfThenElse(takesPart, bounds[kXUpper], hn::Set(d, -kInfinity));
+    bounds[kFar] = hn::IfThenElse(takesPart, bounds[kFar], hn::Set(d, -kFarthest));
+    for (size_t k = 0; k < kBounds; ++k) hn::Store(bounds[k], d, beam.bounds[k] + i);
+  }
+  unite(before, beam);
+  beam.xMeet = (beam.all[kXUpper] + beam.all[kXLower]) * 0.5f;
+  beam.yMeet = (beam.all[kYUpper] + beam.all[kYLower]) * 0.5f;
+  beam.xSlope = (beam.all[kXUpperSlope] + beam.all[kXLowerSlope]) * 0.5f;
+  beam.ySlope = (beam.all[kYUpperSlope] + beam.all[kYLowerSlope]) * 0.5f;
+  setWindows(hulls, margin, beam);
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

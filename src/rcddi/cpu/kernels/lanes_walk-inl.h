@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// lanes_walk-inl.h: the rays of a packet through the BVH side by side, each in a lane of its own. A box is tested
+// with all of them, and only those that meet it go on; a ray that is left alone is walked alone.
+// For rays that start near each other and go their own ways: they have the upper tree and what lies around their
+// origins in common. The near distances of each lane wait on the stack, so that rays with a hit drop out one by one.
+// Benthin, Wald, Woop, Ernst, Mark: "Combining Single and Packet-Ray Tracing for Arbitrary Ray Distributions on the
+// Intel MIC Architecture", TVCG 18(9), 2012.
+#if defined(RAYCORE_KERNELS_LANES_WALK_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCORE_KERNELS_LANES_WALK_INL
+#undef RAYCORE_KERNELS_LANES_WALK_INL
+#else
+#define RAYCORE_KERNELS_LANES_WALK_INL
+#endif
+
+#include "rcddi/cpu/kernels/single-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rc::ddi::cpu::HWY_NAMESPACE {
+
+// So many rays, or fewer, are walked one by one.
+constexpr size_t kFewRays = 3;
+
+// Where the rays meet the boxes of the children. There is no branch on a single child: it cannot be foretold.
+HWY_INLINE ChildrenMet meetChildren(const hal::BvhNode8 &node, const SlabRays &rays, const float *entered,
+                                    const float *end) {
+  const D16 d;
+  using V = hn::Vec<D16>;
+  ChildrenMet out;
+  for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
+    V nearInverse[3], nearStart[3], farInverse[3], farStart[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      nearInverse[axis] = hn::Load(d, rays.nearInverse[axis] + i);
+      nearStart[axis] = hn::Load(d, rays.nearStart[axis] + i);
+      farInverse[axis] = hn::Load(d, rays.farInverse[axis] + i);
+      farStart[axis] = hn::Load(d, rays.farStart[axis] + i);
+    }
+    const auto backX = hn::Lt(nearInverse[0], hn::Zero(d)), backY = hn::Lt(nearInverse[1], hn::Zero(d));
+    const auto backZ = hn::Lt(nearInverse[2], hn::Zero(d));
+    for (uint32_t child = 0; child < hal::BvhNode8::kWidth; ++child) {
+      V near = hn::Load(d, entered + i), far = hn::Load(d, end + i);
+      const auto cut = [&](int axis, auto backwards) HWY_ATTR {
+        const V lower = hn::Set(d, node.planes[axis][0][child]), upper = hn::Set(d, node.planes[axis][1][child]);
+        near = hn::Max(near, hn::MulSub(hn::IfThenElse(backwards, upper, lower), nearInverse[axis], nearStart[axis]));
+        far = hn::Min(far, hn::MulSub(hn::IfThenElse(backwards, lower, upper), farInverse[axis], farStart[axis]));
+      };
+      cut(0, backX);
+      cut(1, backY);
+      cut(2, backZ);
+      const auto meets = hn::Le(near, far);
+      out.met |= uint32_t(!hn::AllFalse(d, meets)) << child;
+      hn::Store(hn::IfThenElse(meets, near, hn::Set(d, kInfinity)), d, out.near[child] + i);
+    }
+  }
+  return out;
+}
+
+// How far the rays of a packet have still to look.
+HWY_INLINE void setEnds(const Batch &batch, size_t packet, float *end) {
+  const D16 d;
+  for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
+    const auto t = hn::Load(d, batch.t + packet * kPacketRays + i);
+    hn::Store(hn::Min(hn::Mul(t, hn::Set(d, kFarther)), hn::Set(d, kFarthest)), d, end + i);
+  }
+}
+
+template <bool kAny>
+HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t packet) {
+  const hal::AccelView &accel = geometry.view.accel;
+  const size_t begin = packet * kPacketRays;
+  alignas(64) float entered[kLanes], end[kLanes];
+  SlabRays rays;
+  setUp(batch, packet, rays);
+  setEnds(batch, packet, end);
+  TriangleLanes triangles;
+  LanesEntry stack[hal::kMaxBvhStack];
+  for (size_t i = 0; i < kPacketRays; ++i) stack[0].near[i] = begin + i < batch.rays ? 0.0f : kInfinity;
+  stack[0].child = 0;
+  for (size_t depth = 1; depth > 0;) {
+    const LanesEntry &at = stack[--depth];
+    uint32_t active = lanesBefore(at.near, end);
+    if (!active) continue;
+    const uint32_t child = at.child;
+    if (hwy::PopCount(active) <= kFewRays) {
+      while (active) walkAlone<kAny>(geometry, batch, rays, begin + nextBit(active), child);
+      setEnds(batch, packet, end);
+    } else if (child & hal::BvhNode8::kLeaf) {
+      const uint32_t lanes = addBlock<kAny>(geometry, accel.blocks[child & ~hal::BvhNode8::kLeaf], batch, 0, triangles);
+      const bool changed = batch.common ? intersectPacket<kAny, true>(geometry, batch, triangles, lanes, packet)
+                                        : intersectPacket<kAny, false>(geometry, batch, triangles, lanes, packet);
+      if (changed) setEnds(batch, packet, end);
+    } else {
+      std::memcpy(entered, at.near, sizeof entered);
+      const hal::BvhNode8 &node = accel.bvhNodes[child];
+      const ChildrenMet children = meetChildren(node, rays, entered, end);
+      // Nearest first, as the first ray sees it.
+      const size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(active);
+      float keys[hal::BvhNode8::kWidth];
+      for (size_t i = 0; i < hal::BvhNode8::kWidth; ++i) keys[i] = children.near[i][ray];
+      depth = push(accel, node, children, keys, stack, depth);
+    }
+  }
+}
+
+}  // namespace rc::ddi::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard
