@@ -52,7 +52,7 @@ GeometrySet &Scene::target() {
 
 void Scene::buildDynamic(AccelKind kind, const Workers &workers) {
   if (!mDynamicsTraced && !refit(mDynamics.triangles, workers, mDynamics.accel)) {
-    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame);
+    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame, std::move(mDynamics.accel));
   }
   mDynamicsTraced = true;
 }

@@ -60,9 +60,9 @@ TEST(Accel, RaysAlongGridLines) {
   expectSame(hitsWith(AccelKind::Bvh, grid, rays), truth, "BVH");
 }
 
-template <class Node>
-bool sameBytes(const std::vector<Node> &a, const std::vector<Node> &b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Node)) == 0);
+template <class Nodes>
+bool sameBytes(const Nodes &a, const Nodes &b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
 
 TEST(Accel, TheTreeDoesNotDependOnTheThreads) {

@@ -8,7 +8,7 @@ using hal::HotTriangle;
 
 float boxMargin(const HotTriangle &triangle) {
   const Vec3 largest = glm::max(glm::abs(triangle.v0), glm::max(glm::abs(triangle.v1), glm::abs(triangle.v2)));
-  return std::max(maxComponent(largest) * 0x1p-21f, 1e-36f);
+  return std::max(maxComponent(largest) * kMarginShare, kLeastMargin);
 }
 
 std::vector<Reference> makeReferences(std::span<const HotTriangle> triangles, Bounds &all) {
@@ -28,8 +28,13 @@ std::vector<Reference> makeReferences(std::span<const HotTriangle> triangles, Bo
 // So few triangles are sorted by the surface area heuristic within a millisecond or two.
 constexpr size_t kFewTriangles = 8192;
 
-Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const Workers &workers, Lifetime lifetime) {
+Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const Workers &workers, Lifetime lifetime,
+                 Accel old) {
   Accel accel;
+  accel.bvhNodes = std::move(old.bvhNodes);
+  accel.blocks = std::move(old.blocks);
+  accel.bvhNodes.clear();
+  accel.blocks.clear();
   accel.kind = kind;
   accel.triangles = triangles.size();
   if (triangles.empty()) return accel;

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "rchal/scene_view.h"
 
@@ -19,8 +20,8 @@ struct Accel {
   double builtCost = 0;  // BVH: costOf() when it was built
   std::vector<hal::KdNode8> kdNodes;
   std::vector<uint32_t> primitives;
-  std::vector<hal::BvhNode8> bvhNodes;
-  std::vector<hal::TriangleBlock4> blocks;
+  LargeVector<hal::BvhNode8> bvhNodes;
+  LargeVector<hal::TriangleBlock4> blocks;
 
   hal::AccelView view() const { return {kind, bounds, kdNodes, primitives, bvhNodes, blocks}; }
   size_t bytes() const {
@@ -32,9 +33,9 @@ struct Accel {
 // How long a structure is of use: many frames, or the next one only, where a quick build counts as much as its rays.
 enum class Lifetime { Scene, Frame };
 
-// Triangles must be finite.
+// Triangles must be finite. The memory of `old` is used again.
 Accel buildAccel(AccelKind kind, std::span<const hal::HotTriangle> triangles, const Workers &workers,
-                 Lifetime lifetime = Lifetime::Scene);
+                 Lifetime lifetime = Lifetime::Scene, Accel old = {});
 
 // Fits a BVH to triangles that have moved since it was built, as many as then. False if there is none for so many, or
 // if it has become so much worse that it should be built anew; then what it is is undefined.
@@ -57,6 +58,7 @@ struct Reference {
 // How far the box of a triangle is widened, so that no ray which the intersection unit lets hit the triangle
 // can miss its box by rounding.
 float boxMargin(const hal::HotTriangle &triangle);
+inline constexpr float kMarginShare = 0x1p-21f, kLeastMargin = 1e-36f;  // of the largest coordinate; at least
 
 // One for each triangle, widened; accel.bounds becomes their union.
 std::vector<Reference> makeReferences(std::span<const hal::HotTriangle> triangles, Bounds &all);

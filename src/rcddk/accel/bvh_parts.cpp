@@ -48,20 +48,16 @@ void setChild(BvhNode8 &node, uint32_t i, const Bounds &box, uint32_t child) {
   node.child[i] = child;
 }
 
-void setLane(TriangleBlock4 &block, uint32_t lane, const HotTriangle &triangle) {
-  const Vec3 *vertices[] = {&triangle.v0, &triangle.v1, &triangle.v2};
-  for (int v = 0; v < 3; ++v) {
-    for (int axis = 0; axis < 3; ++axis) block.vertices[v][axis][lane] = (*vertices[v])[axis];
-  }
-}
-
 TriangleBlock4 makeBlock(std::span<const BuildReference> references, std::span<const HotTriangle> triangles) {
   TriangleBlock4 block;
   for (uint32_t lane = 0; lane < TriangleBlock4::kWidth; ++lane) {
     const bool used = lane < references.size();
-    const uint32_t primitive = references[used ? lane : 0].primitive();
-    setLane(block, lane, triangles[primitive]);
-    block.primitive[lane] = used ? primitive : TriangleBlock4::kNone;
+    const HotTriangle &triangle = triangles[references[used ? lane : 0].primitive()];
+    block.primitive[lane] = used ? references[lane].primitive() : TriangleBlock4::kNone;
+    const Vec3 *vertices[] = {&triangle.v0, &triangle.v1, &triangle.v2};
+    for (int v = 0; v < 3; ++v) {
+      for (int axis = 0; axis < 3; ++axis) block.vertices[v][axis][lane] = (*vertices[v])[axis];
+    }
   }
   return block;
 }

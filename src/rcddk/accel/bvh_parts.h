@@ -25,8 +25,8 @@ std::vector<BuildReference> makeBuildReferences(std::span<const hal::HotTriangle
 
 // A subtree with numbers of its own.
 struct BvhPieces {
-  std::vector<hal::BvhNode8> nodes;
-  std::vector<hal::TriangleBlock4> blocks;
+  LargeVector<hal::BvhNode8> nodes;
+  LargeVector<hal::TriangleBlock4> blocks;
 
   void reserve(size_t triangles);
   // Puts another subtree behind this one. Returns what `name` of it, as in BvhNode8::child, is called here.
@@ -35,10 +35,11 @@ struct BvhPieces {
 
 void setChild(hal::BvhNode8 &node, uint32_t i, const Bounds &box, uint32_t child);
 
+// Gives a tree, whose nodes and blocks say what belongs together, the boxes and vertices of its triangles.
+// Children lie behind their parents.
+void fit(std::span<const hal::HotTriangle> triangles, const Workers &workers, Accel &accel);
+
 // At most four references.
 hal::TriangleBlock4 makeBlock(std::span<const BuildReference> references, std::span<const hal::HotTriangle> triangles);
-
-// Puts a triangle into a lane.
-void setLane(hal::TriangleBlock4 &block, uint32_t lane, const hal::HotTriangle &triangle);
 
 }  // namespace rc::ddk

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "rcddk/accel/bvh_parts.h"
+#include "rcddk/accel/float4.h"
 
 namespace rc::ddk {
 namespace {
@@ -29,42 +30,53 @@ uint32_t spread(uint32_t x) {
   return (x | x << 2) & 0x09249249;
 }
 
-Bounds boxOf(const HotTriangle &t) {
-  const float margin = boxMargin(t);
-  return {glm::min(t.v0, glm::min(t.v1, t.v2)) - margin, glm::max(t.v0, glm::max(t.v1, t.v2)) + margin};
+// The box of a triangle without its margin; the fourth lanes are of no meaning.
+struct Box {
+  Float4 lower, upper;
+};
+Box boxOf(const HotTriangle &t) {
+  const auto *bytes = reinterpret_cast<const char *>(&t);
+  const Float4 a = load4(bytes), b = load4(bytes + sizeof(Vec3)), c = load4(bytes + 2 * sizeof(Vec3));
+  return {min(min(a, b), c), max(max(a, b), c)};
 }
 
 Bounds boundsOf(std::span<const HotTriangle> triangles, const Workers &workers) {
   std::vector<Bounds> parts((triangles.size() + kCodesATask - 1) / kCodesATask);
   workers.forEach(parts.size(), [&](size_t task, int) {
     const size_t first = task * kCodesATask;
+    Box box = boxOf(triangles[first]);
     for (const HotTriangle &t : triangles.subspan(first, std::min(kCodesATask, triangles.size() - first))) {
-      parts[task].add(boxOf(t));
+      const Box other = boxOf(t);
+      box = {min(box.lower, other.lower), max(box.upper, other.upper)};
     }
+    const Float4 lower = box.lower, upper = box.upper;
+    parts[task] = {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
   });
   Bounds all;
   for (const Bounds &part : parts) all.add(part);
   return all;
 }
 
-std::vector<Coded> codesOf(std::span<const HotTriangle> triangles, const Bounds &bounds, const Workers &workers) {
-  std::vector<Coded> codes(triangles.size());
-  const Vec3 size = glm::max(bounds.size(), Vec3(1e-30f));
+LargeVector<Coded> codesOf(std::span<const HotTriangle> triangles, const Bounds &bounds, const Workers &workers) {
+  LargeVector<Coded> codes(triangles.size());
   constexpr float kCells = 1 << kBitsAnAxis;
+  const Vec3 scale = 0.5f * kCells / glm::max(bounds.size(), Vec3(1e-30f)), origin = 2.0f * bounds.lower;
   workers.forEach((codes.size() + kCodesATask - 1) / kCodesATask, [&](size_t task, int) {
+    const Float4 factor{scale.x, scale.y, scale.z, 0}, start{origin.x, origin.y, origin.z, 0};
     for (size_t i = task * kCodesATask; i < std::min(codes.size(), (task + 1) * kCodesATask); ++i) {
-      const Vec3 cell = glm::clamp((boxOf(triangles[i]).centre() - bounds.lower) / size * kCells, 0.0f, kCells - 1);
-      const auto bits = [](float x) { return spread(static_cast<uint32_t>(x)); };
-      codes[i] = {bits(cell.x) << 2 | bits(cell.y) << 1 | bits(cell.z), static_cast<uint32_t>(i)};
+      const Box box = boxOf(triangles[i]);
+      const Float4 cell = min(max((box.lower + box.upper - start) * factor, all(0)), all(kCells - 1));
+      const auto bits = [&](int axis) { return spread(static_cast<uint32_t>(cell[axis])); };
+      codes[i] = {bits(0) << 2 | bits(1) << 1 | bits(2), static_cast<uint32_t>(i)};
     }
   });
   return codes;
 }
 
 // By code, equal ones in the order they came in: least significant digits first.
-void sortByCode(std::vector<Coded> &codes) {
+void sortByCode(LargeVector<Coded> &codes) {
   constexpr size_t kDigit = 1 << kBitsAnAxis;
-  std::vector<Coded> other(codes.size());
+  LargeVector<Coded> other(codes.size());
   for (int shift = 0; shift < 3 * kBitsAnAxis; shift += kBitsAnAxis) {
     std::array<uint32_t, kDigit + 1> places{};
     for (const Coded &c : codes) ++places[(c.code >> shift) % kDigit + 1];
@@ -74,57 +86,32 @@ void sortByCode(std::vector<Coded> &codes) {
   }
 }
 
+// What belongs together: nodes with the names of their children, blocks with those of their triangles. Boxes come
+// later.
 class MortonBuilder {
  public:
-  MortonBuilder(std::span<const Coded> codes, std::span<const HotTriangle> triangles)
-      : mCodes(codes), mTriangles(triangles) {}
+  MortonBuilder(std::span<const Coded> codes, Accel &out) : mCodes(codes), mOut(out) {}
 
-  // Appends the subtree of codes [begin, end) and returns its node; `box` becomes its bounds.
-  uint32_t node(size_t begin, size_t end, BvhPieces &out, Bounds &box) const {
+  // Appends the subtree of codes [begin, end) and returns its node.
+  uint32_t node(size_t begin, size_t end) {
     size_t borders[BvhNode8::kWidth + 1];
     const uint32_t count = divide(begin, end, borders);
-    const auto place = static_cast<uint32_t>(out.nodes.size());
-    out.nodes.emplace_back();
-    std::array<Bounds, BvhNode8::kWidth> boxes;
-    uint32_t names[BvhNode8::kWidth] = {};
-    if (end - begin >= kParallelReferences) {
-      std::array<BvhPieces, BvhNode8::kWidth> pieces;
-      parallel(borders, 0, count, pieces, names, boxes);
-      for (uint32_t i = 0; i < count; ++i) names[i] = out.append(pieces[i], names[i]);
-    } else {
-      for (uint32_t i = 0; i < count; ++i) names[i] = subtree(borders[i], borders[i + 1], out, boxes[i]);
-    }
+    const auto place = static_cast<uint32_t>(mOut.bvhNodes.size());
+    mOut.bvhNodes.emplace_back();
     for (uint32_t i = 0; i < BvhNode8::kWidth; ++i) {
-      setChild(out.nodes[place], i, boxes[i], names[i]);
-      box.add(boxes[i]);
+      setChild(mOut.bvhNodes[place], i, Bounds(), i < count ? subtree(borders[i], borders[i + 1]) : 0);
     }
     return place;
   }
 
  private:
-  uint32_t subtree(size_t begin, size_t end, BvhPieces &out, Bounds &box) const {
-    if (end - begin > TriangleBlock4::kWidth) return node(begin, end, out, box);
-    TriangleBlock4 &block = out.blocks.emplace_back();
-    for (uint32_t lane = 0; lane < TriangleBlock4::kWidth; ++lane) {
-      const bool used = begin + lane < end;
-      const uint32_t primitive = mCodes[used ? begin + lane : begin].primitive;
-      setLane(block, lane, mTriangles[primitive]);
-      block.primitive[lane] = used ? primitive : TriangleBlock4::kNone;
-      box.add(boxOf(mTriangles[primitive]));
+  uint32_t subtree(size_t begin, size_t end) {
+    if (end - begin > TriangleBlock4::kWidth) return node(begin, end);
+    TriangleBlock4 &block = mOut.blocks.emplace_back();
+    for (size_t lane = 0; lane < TriangleBlock4::kWidth; ++lane) {
+      block.primitive[lane] = begin + lane < end ? mCodes[begin + lane].primitive : TriangleBlock4::kNone;
     }
-    return static_cast<uint32_t>(out.blocks.size() - 1) | BvhNode8::kLeaf;
-  }
-
-  void parallel(const size_t *borders, uint32_t first, uint32_t last, std::array<BvhPieces, BvhNode8::kWidth> &pieces,
-                uint32_t *names, std::array<Bounds, BvhNode8::kWidth> &boxes) const {
-    if (last - first == 1) {
-      pieces[first].reserve(borders[last] - borders[first]);
-      names[first] = subtree(borders[first], borders[last], pieces[first], boxes[first]);
-      return;
-    }
-    const uint32_t middle = (first + last) / 2;
-    both([&] { parallel(borders, first, middle, pieces, names, boxes); },
-         [&] { parallel(borders, middle, last, pieces, names, boxes); });
+    return static_cast<uint32_t>(mOut.blocks.size() - 1) | BvhNode8::kLeaf;
   }
 
   // Cuts the child with the most triangles until there are eight, or none is left to cut.
@@ -158,20 +145,18 @@ class MortonBuilder {
   }
 
   std::span<const Coded> mCodes;
-  std::span<const HotTriangle> mTriangles;
+  Accel &mOut;
 };
 
 }  // namespace
 
 void buildMorton(std::span<const HotTriangle> triangles, const Workers &workers, Accel &accel) {
-  const Bounds bounds = boundsOf(triangles, workers);
-  std::vector<Coded> codes = codesOf(triangles, bounds, workers);
+  LargeVector<Coded> codes = codesOf(triangles, boundsOf(triangles, workers), workers);
   sortByCode(codes);
-  BvhPieces pieces;
-  pieces.reserve(triangles.size());
-  workers.run([&] { MortonBuilder(codes, triangles).node(0, codes.size(), pieces, accel.bounds); });
-  accel.bvhNodes = std::move(pieces.nodes);
-  accel.blocks = std::move(pieces.blocks);
+  accel.bvhNodes.reserve(triangles.size() / 8 + 8);
+  accel.blocks.reserve(triangles.size() / 2 + 8);
+  MortonBuilder(codes, accel).node(0, codes.size());
+  fit(triangles, workers, accel);
 }
 
 }  // namespace rc::ddk
