@@ -4,6 +4,7 @@
 // soup.cpp: readers for exactly the files that the measurements need.
 #include "peers/soup.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -96,6 +97,22 @@ bool readDragonGlb(const std::string &path, Soup &soup) {
   return indexCount > 0;
 }
 
+// One landscape as fine as one likes, to see what time grows with.
+bool makeHills(size_t triangles, Soup &soup) {
+  const auto n = static_cast<int>(std::sqrt(double(triangles) / 2));
+  const auto point = [&](int i, int j) {
+    const float u = float(i) / float(n), v = float(j) / float(n);
+    return Vec3(2 * u - 1, 0.1f * std::sin(9 * u) * std::cos(11 * v) + 0.02f * std::sin(57 * u * v + 40 * v),
+                2 * v - 1);
+  };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) quad(soup, point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
+  }
+  soup.camera = {{0.2f, 0.7f, 1.3f}, {0, 0, 0}, 50};
+  soup.light = {1, 2, 1};
+  return n > 0;
+}
+
 // The bunny becomes two units across and stands on y = -0.992.
 void standBunny(Soup &soup) {
   Vec3 lower(kInfinity), upper(-kInfinity);
@@ -126,6 +143,8 @@ std::optional<Soup> loadSoup(const std::string &name, const std::string &folder)
     found = readObj(folder + "/noncommercial/sponza-dabrovic.obj", soup);
     soup.camera = {{-10.5f, 2.2f, 0.6f}, {6, 4.2f, -0.8f}, 60};
     soup.light = {1, 11, 0.5f};
+  } else if (name.rfind("hills", 0) == 0) {
+    found = makeHills(std::strtoul(name.c_str() + 5, nullptr, 10), soup);
   } else if (name == "dragon203k" || name == "dragon871k") {
     found = readDragonGlb(folder + "/gltf/stanford-dragon-" + name.substr(6) + ".glb", soup);
   }

@@ -26,8 +26,8 @@ struct Soup {
   size_t triangles() const { return vertices.size() / 3; }
 };
 
-// "cornell", "bunny", "sponza", "dragon203k", "dragon871k". Nothing if the scene's file is not in the folder of
-// scenes; cornell needs none.
+// "cornell", "bunny", "sponza", "dragon203k", "dragon871k", "hills" and a number of triangles. Nothing if the scene's
+// file is not in the folder of scenes; cornell and hills need none.
 std::optional<Soup> loadSoup(const std::string &name, const std::string &folder);
 
 }  // namespace rc::bench
