@@ -48,6 +48,15 @@ if [ -e "$libdir/libEGL_raycore.so.0" ]; then
   RAYCORE_CAPTURE=$scratch/beside.ppm __EGL_VENDOR_LIBRARY_FILENAMES=$json "$scratch/beside" libEGL.so.1
 fi
 
+# the command, where it was built, with completions and a manual page
+if [ -e "$prefix/bin/raycore" ]; then
+  env -u LD_LIBRARY_PATH "$prefix/bin/raycore" --version >/dev/null
+  for file in bash-completion/completions/raycore zsh/site-functions/_raycore fish/vendor_completions.d/raycore.fish \
+    man/man1/raycore.1; do
+    [ -s "$prefix/share/$file" ]
+  done
+fi
+
 # the line of the guide's appendix D, which names the original's inner libraries
 mkdir "$scratch/appendix_d"
 cd "$scratch/appendix_d"

@@ -26,7 +26,7 @@ expect() {
 }
 
 expect 0 'Examples:' "$tool" --help
-for command in render info stats devices version; do expect 0 'Example' "$tool" "$command" --help; done
+for command in render view info stats bench devices version generate; do expect 0 'Example' "$tool" "$command" --help; done
 expect 0 '^raycore [0-9]+\.[0-9]' "$tool" --version
 expect 0 '"materials": 512' "$tool" devices --json
 expect 2 'subcommand' "$tool"
@@ -42,6 +42,9 @@ expect 1 'animation "Walk"' "$tool" render "$model" -o a.png --animation Walk
 expect 1 'the file has none' "$tool" render "$model" -o a.png --lights file
 expect 1 'neither a colour nor a picture' "$tool" render "$model" -o a.png --background mauve
 expect 1 'cannot be written' "$tool" render "$model" -o /proc/a.png --size 16x16
+expect 1 'no X server' env DISPLAY=:9999 "$tool" view "$model"
+expect 1 'no X server' "$tool" view "$model"
+expect 2 'kind' "$tool" generate tcsh
 expect 1 'ffmpeg' env PATH=/nowhere "$(realpath "$tool")" render "$model" -o a.mp4
 [ -e a.png ] && echo "a failed command left a picture" && failed=1
 expect 0 '' "$tool" render "$model" -o a.png --size 20x10 -q

@@ -18,8 +18,9 @@ constexpr const char *kFooter =
     "Examples:\n"
     "  raycore render duck.glb -o duck.png\n"
     "  raycore render fox.glb -o walk.mp4 --animation Walk --fps 30\n"
+    "  raycore view fox.glb --play\n"
     "  raycore info scene.gltf --json\n"
-    "Exit codes: 0 done, 1 bad input or output, 2 wrong usage.\n"
+    "Exit codes: 0 done, 1 bad input or output, 2 wrong usage, 130 interrupted.\n"
     "RAYCORE_DEVICE, RAYCORE_THREADS, RAYCORE_ACCEL and RAYCORE_LOG choose how the library traces.";
 
 int run(const Action &action) {
@@ -38,8 +39,8 @@ int parseAndRun(int argc, char **argv) {
   app.require_subcommand(1);
   app.footer(kFooter);
   app.set_version_flag("--version", versionText());
-  const Command commands[] = {addRender(app), addView(app),    addInfo(app),   addStats(app),
-                              addBench(app),  addDevices(app), addVersion(app)};
+  const Command commands[] = {addRender(app), addView(app),    addInfo(app),    addStats(app),
+                              addBench(app),  addDevices(app), addVersion(app), addGenerate(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {

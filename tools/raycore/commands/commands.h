@@ -22,6 +22,7 @@ Command addView(CLI::App &app);
 Command addInfo(CLI::App &app);
 Command addStats(CLI::App &app);
 Command addBench(CLI::App &app);
+Command addGenerate(CLI::App &app);
 Command addDevices(CLI::App &app);
 Command addVersion(CLI::App &app);
 

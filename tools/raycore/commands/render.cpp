@@ -144,6 +144,7 @@ Command addRender(CLI::App &app) {
   command
       ->add_option("-o,--output", options->output,
                    "png, jpg, bmp, ppm, exr, mp4 or webm by extension; %04d is the frame; - is standard output")
+      ->type_name("FILE")
       ->required();
   addShowOptions(*command, options->show);
   command->add_option("--frames", options->frames, "Numbers of the frames, such as 0-99: numbered pictures")

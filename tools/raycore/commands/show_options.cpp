@@ -99,6 +99,7 @@ void addShowOptions(CLI::App &command, ShowSettings &settings) {
   command
       .add_option("--background", settings.background,
                   "#rrggbb, r,g,b, a name, gradient[:TOP,BOTTOM], or an equirectangular picture")
+      ->type_name("FILE")
       ->group("Picture");
   command.add_option("--ground", settings.ground, "none, matte, mirror or checker")
       ->transform(CLI::CheckedTransformer(kGrounds))

@@ -11,7 +11,7 @@
 namespace rc::tool {
 
 // The usual way: reads in a process of its own, with limits (load/sandbox.cpp). name "-": standard input.
-// Throws InputError. The process must have no other threads.
+// Throws InputError. Other threads must be idle: the reader has a copy of the calling one alone.
 Scene loadModel(const std::string &name);
 
 // A picture, read in the same way.

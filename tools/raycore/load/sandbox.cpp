@@ -5,7 +5,7 @@
 // use) have had their share of crashes, endless loops and allocations that follow a lying count. So they run in a
 // process of their own, with limits of processor time and memory that grow with the file, and hand the scene back as
 // bytes. What goes wrong there is a message here. It is a plain fork: a new program would spend more time on starting
-// than most files take to read. Therefore files are loaded before anything of ours has threads.
+// than most files take to read. Threads of ours, where there are some (`view`), are idle meanwhile.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/mman.h>

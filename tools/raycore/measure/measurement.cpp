@@ -77,6 +77,8 @@ void askAboutStructures(Measurement &m) {
   m.cost = valueOf(RC_STRUCTURE_COST);
 }
 
+int64_t whole(double value) { return static_cast<int64_t>(value); }
+
 Json orNull(const std::optional<double> &value) { return value ? Json(*value) : Json(); }
 
 }  // namespace
@@ -103,26 +105,29 @@ Measurement measure(Show &show, int repeat) {
 
 Json jsonOf(const Measurement &m) {
   Json rays;
-  for (size_t kind = 0; kind < kRayKinds.size(); ++kind) rays[kRayKinds[kind]] = m.rays[kind];
-  return {
-      {"triangles", m.triangles},
-      {"triangles_skipped", m.skipped},
-      {"submit_ms", m.submitMilliseconds},
-      {"static_build_ms", m.staticBuildMilliseconds},
-      {"frame_build_ms", m.frameBuildMilliseconds},
-      {"trace_ms", m.traceMilliseconds},
-      {"trace_ms_least", m.leastTraceMilliseconds},
-      {"rays", m.allRays()},
-      {"rays_by_kind", rays},
-      {"mrays_per_s", m.raysPerSecond() / 1e6},
-      {"mrays_per_s_primary", orNull(m.primaryRate)},
-      {"mrays_per_s_shadow", orNull(m.shadowRate)},
-      {"mrays_per_s_secondary", orNull(m.secondaryRate)},
-      {"memory_bytes", {{"triangles", m.triangleBytes}, {"structure", m.structureBytes}, {"textures", m.textureBytes}}},
-      {"structure", {{"nodes", m.nodes}, {"leaves", m.leaves}, {"depth", m.depth}, {"cost", m.cost}}},
-      {"boxes_per_ray", m.boxesPerRay},
-      {"triangles_per_ray", m.trianglesPerRay},
-      {"picture", fmt::format("{:016x}", m.picture)}};
+  for (size_t kind = 0; kind < kRayKinds.size(); ++kind) rays[kRayKinds[kind]] = whole(m.rays[kind]);
+  return {{"triangles", whole(m.triangles)},
+          {"triangles_skipped", whole(m.skipped)},
+          {"submit_ms", m.submitMilliseconds},
+          {"static_build_ms", m.staticBuildMilliseconds},
+          {"frame_build_ms", m.frameBuildMilliseconds},
+          {"trace_ms", m.traceMilliseconds},
+          {"trace_ms_least", m.leastTraceMilliseconds},
+          {"rays", whole(m.allRays())},
+          {"rays_by_kind", rays},
+          {"mrays_per_s", m.raysPerSecond() / 1e6},
+          {"mrays_per_s_primary", orNull(m.primaryRate)},
+          {"mrays_per_s_shadow", orNull(m.shadowRate)},
+          {"mrays_per_s_secondary", orNull(m.secondaryRate)},
+          {"memory_bytes",
+           {{"triangles", whole(m.triangleBytes)},
+            {"structure", whole(m.structureBytes)},
+            {"textures", whole(m.textureBytes)}}},
+          {"structure",
+           {{"nodes", whole(m.nodes)}, {"leaves", whole(m.leaves)}, {"depth", whole(m.depth)}, {"cost", m.cost}}},
+          {"boxes_per_ray", m.boxesPerRay},
+          {"triangles_per_ray", m.trianglesPerRay},
+          {"picture", fmt::format("{:016x}", m.picture)}};
 }
 
 }  // namespace rc::tool
