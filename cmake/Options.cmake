@@ -3,6 +3,7 @@ option(RAYCORE_EXAMPLES "Build the programs of the guide" ${PROJECT_IS_TOP_LEVEL
 option(RAYCORE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_TOOLS "Build the command raycore, where what it needs is found" ${PROJECT_IS_TOP_LEVEL})
+option(RAYCORE_BINDINGS "Build the Python package, where what it needs is found" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_WERROR "Warnings are errors" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_GLVND "Build libEGL_raycore.so.0, the vendor library for libglvnd, where its header is" ON)
 set(RAYCORE_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize= takes them: address,undefined or thread")

@@ -530,4 +530,9 @@
 #define RC_FRAME_TRIANGLES_SKIPPED                    0x52430006 /* rcGet: degenerate or non-finite ones left out */
 #define RC_FRAME_RAYS                                 0x52430007 /* rcGet: rays of every kind of the last frame */
 
+/* beyond the vendor's API: what rcDebugMessageCallbackRCX tells, with the values of KHR_debug */
+#define RC_DEBUG_SOURCE_API                           0x8246
+#define RC_DEBUG_TYPE_ERROR                           0x824C
+#define RC_DEBUG_SEVERITY_HIGH                        0x9146
+
 #endif /* RC_RCTOKENS_H */
