@@ -2,6 +2,7 @@
 option(RAYCORE_EXAMPLES "Build the programs of the guide" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
+option(RAYCORE_PACKAGES "Debian packages by cpack: the preset package" OFF)
 option(RAYCORE_TOOLS "Build the command raycore, where what it needs is found" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_BINDINGS "Build the Python package, where what it needs is found" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_WERROR "Warnings are errors" ${PROJECT_IS_TOP_LEVEL})
