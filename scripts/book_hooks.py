@@ -3,7 +3,6 @@
 """What MkDocs does besides: programs in pages lose their licence lines, and lists need no empty line before them."""
 import re
 
-LICENCE = re.compile(r"^(//|#|\s\*|/\*) SPDX-[^\n]*\n", re.MULTILINE)
 LIST = re.compile(r"^(?!\s*(?:[-*|>]|\d+\.)\s)(\S[^\n]*)\n(?=(?:[-*]|\d+\.) )", re.MULTILINE)
 
 
@@ -13,5 +12,6 @@ def on_page_markdown(markdown, page, config, files):
 
 
 def on_page_content(html, page, config, files):
-    """The two comment lines come as highlighted spans."""
-    return re.sub(r'<span class="c[1p]?">(?://|#) SPDX-[^<]*</span>\s*', "", html)
+    """The two comment lines, and the empty one after them, come as highlighted spans."""
+    line = r'<span class="c[1p]?">(?://|#) SPDX-[^<]*</span>\s*'
+    return re.sub(f'(?:{line})+(?:<span class="c1">//</span>\\s*)?', "", html)

@@ -13,7 +13,7 @@ folder=$(cd "$folder" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 unset DISPLAY
-export RAYCORE_SAMPLES=${RAYCORE_SAMPLES:-4}
+export RAYCORE_SAMPLES=${RAYCORE_SAMPLES:-4} RAYCORE_LOG=error
 status=0
 
 # The program with its change, compiled. The change must find something.
@@ -37,7 +37,8 @@ while IFS=$'\t' read -r picture program frame arguments change; do
   fi
   [ "$arguments" = - ] && arguments=
   # shellcheck disable=SC2086
-  RAYCORE_FRAMES=$frame RAYCORE_CAPTURE=$folder/$picture.png "$run" $arguments >"$scratch/log" 2>&1 || {
+  RAYCORE_FRAMES=$frame RAYCORE_CAPTURE=$folder/$picture.png "$run" $arguments >"$scratch/log" 2>&1 &&
+    ! grep -q ': RC_' "$scratch/log" || {
     cat "$scratch/log" >&2
     echo "pictures: $picture failed" >&2
     status=1

@@ -18,7 +18,7 @@ packages=(
 )
 
 [ "${1:-}" = docs ] && packages+=(
-  mkdocs mkdocs-material python3-pil
+  mkdocs-material python3-pil
   pybind11-dev python3-dev python3-numpy python3-pytest python3-mesonpy
   abigail-tools dpkg-dev fakeroot lintian
 )

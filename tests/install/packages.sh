@@ -7,6 +7,7 @@
 # nothing there.
 set -euo pipefail
 source=$1 tests=$1/tests/install
+shift
 for tool in dpkg dpkg-deb dpkg-shlibdeps fakeroot; do
   command -v $tool >/dev/null || {
     echo "skipped: $tool is not here (bash scripts/setup.sh docs)"
@@ -20,8 +21,9 @@ unset DISPLAY
 SOURCE_DATE_EPOCH=$(date -d "$(sed -n 's/^ -- .*>  //p' "$source/packaging/changelog" | head -n 1)" +%s)
 export SOURCE_DATE_EPOCH
 
+# packages.sh SOURCE [ARGUMENT OF CMAKE...]
 make_packages() {  # build folder beside those of the presets, so that ccache knows the objects
-  cmake -S "$source" --preset package -B "$source/build/$1" >"$scratch/log" 2>&1 &&
+  cmake -S "$source" --preset package -B "$source/build/$1" "${@:2}" >"$scratch/log" 2>&1 &&
     cmake --build "$source/build/$1" >>"$scratch/log" 2>&1 &&
     rm -f "$source/build/$1"/*.deb &&
     (cd "$source/build/$1" && cpack -G DEB) >>"$scratch/log" 2>&1 || {
@@ -29,8 +31,8 @@ make_packages() {  # build folder beside those of the presets, so that ccache kn
     exit 1
   }
 }
-make_packages package
-make_packages package-again
+make_packages package "$@"
+make_packages package-again "$@"
 for deb in "$source"/build/package/*.deb; do
   cmp "$deb" "$source/build/package-again/$(basename "$deb")"
 done

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The raycore authors
 #
-# Uses an installed RayCore as others do: find_package, pkg-config, RCFramework.a as in the guide's makefiles and its
+# Uses an installed RayCore as others do: find_package, pkg-config, Meson, RCFramework.a as in the guide's makefiles and its
 # appendix D, and a program with a main of its own. use.sh PREFIX LIBDIR SOURCES CC CXX SCRATCH
 set -eu
 prefix=$1 libdir=$2 source=$3 cc=$4 cxx=$5 scratch=$6
@@ -30,6 +30,16 @@ read -r -a flags <<<"$(pkg-config --cflags --libs raycore)"
 "$cc" -std=c99 "$source/c_program.c" "${flags[@]}" -o "$scratch/with_pkg_config"
 expect "$scratch/with_pkg_config"
 
+# Meson, where it is
+ways=six
+if command -v meson >/dev/null; then
+  ways=seven
+  CC=$cc CXX=$cxx meson setup "$scratch/meson" "$source" >/dev/null
+  ninja -C "$scratch/meson" >/dev/null
+  expect "$scratch/meson/framework_program"
+  expect "$scratch/meson/c_program"
+fi
+
 # as in the guide's makefiles
 "$cxx" -o "$scratch/by_hand" "$source/framework_program.cpp" -I"$prefix/include" "$libdir/RCFramework.a" -L"$libdir" \
   -lstdc++ -lpthread -lm -lX11 -lRayCoreAPI
@@ -49,4 +59,4 @@ for program in "$scratch/by_hand" ./a.out; do
   readelf -d "$program" | grep -q 'NEEDED.*\[libRayCoreAPI.so\]'
   if readelf -d "$program" | grep 'NEEDED.*\[libRC'; then exit 1; fi
 done
-echo "found and used in six ways"
+echo "found and used in $ways ways"
