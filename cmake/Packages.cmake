@@ -35,9 +35,13 @@ set(depends_runtime "")
 set(depends_dev "libraycore${RAYCORE_ABI} (= ${PROJECT_VERSION}), libegl-dev, libx11-dev")
 set(depends_tools "libraycore${RAYCORE_ABI} (>= ${PROJECT_VERSION})")
 set(depends_doc "")
-set(text_runtime "Programs set state and submit triangles much as in OpenGL ES 1.1; each frame is traced with shadows, reflection and refraction on the processor's cores, in X11 windows and without a display. This is the library.")
-set(text_dev "What programs are compiled with: headers, the class RCFramework, a CMake package and a file for pkg-config.")
-set(text_tools "The command raycore renders glTF, OBJ and other models to pictures and films, and tells what is in them.")
+set(text_runtime "Programs set state and submit triangles much as in OpenGL ES 1.1; each
+frame is traced with shadows, reflection and refraction on the processor's
+cores, in X11 windows and without a display. This is the library.")
+set(text_dev "What programs are compiled with: headers, the class RCFramework, a CMake
+package and a file for pkg-config.")
+set(text_tools "The command raycore renders glTF, OBJ and other models to pictures and
+films, and tells what is in them.")
 set(text_doc "The manual as texts, and the programs that it shows.")
 
 # Each package has its copyright and its changelog, as Debian's policy asks.
