@@ -25,6 +25,7 @@ SPECIAL = {
     "rcColor4ub": "color",
 }
 LEFT_OUT = {
+    "rcReadRaysRCX": "not bound yet",
     "rcCompressedTexSubImage2D": "no format can be changed in part: it always fails",
     "rcGetPointerv": "pointers are arrays in Python",
     "rcDebugMessageCallbackRCX": "its messages are those of raycore.Error",
