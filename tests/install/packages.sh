@@ -72,7 +72,9 @@ libdir=$(dirname "$(find "$root/usr/lib" -name libRayCoreAPI.so)")
 bash "$tests/use.sh" "$root/usr" "$libdir" "$tests" cc c++ "$scratch/use"
 if [ -x "$root/usr/bin/raycore" ]; then LD_LIBRARY_PATH=$libdir "$root/usr/bin/raycore" version >/dev/null; fi
 
-own_dpkg --purge $(for deb in "${debs[@]}"; do dpkg-deb -f "$deb" Package; done)
+names=()
+for deb in "${debs[@]}"; do names+=("$(dpkg-deb -f "$deb" Package)"); done
+own_dpkg --purge "${names[@]}"
 if [ -n "$(find "$root" -path "$root/var" -prune -o -type f -print -o -type l -print)" ]; then
   echo "these are left:"
   find "$root" -path "$root/var" -prune -o -type f -print -o -type l -print
