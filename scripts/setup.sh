@@ -5,6 +5,9 @@
 # Installs what is missing to build, run and test the project, from the distribution's packages (names of Debian 12
 # and Ubuntu 24.04). Says nothing where nothing is missing. As root or through sudo; with neither it names the
 # packages and ends with code 1.
+#
+#   setup.sh        what the library, the command and their tests need
+#   setup.sh docs   what the book, the packages and the Python package need besides; tests skip what is missing
 set -eu
 
 packages=(
@@ -12,6 +15,12 @@ packages=(
   libtbb-dev libhwy-dev libglm-dev libpng-dev libx11-dev libxext-dev libegl-dev libglvnd-core-dev
   libassimp-dev libopenimageio-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libgtest-dev xvfb xdotool libgles-dev libegl-mesa0 mesa-utils-bin
+)
+
+[ "${1:-}" = docs ] && packages+=(
+  mkdocs-material python3-pil
+  pybind11-dev python3-dev python3-numpy python3-pytest python3-mesonpy
+  abigail-tools dpkg-dev fakeroot lintian
 )
 
 missing=()

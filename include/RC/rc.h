@@ -243,6 +243,9 @@ RC_APICALL RCboolean RC_APIENTRY rcIsEnabled(RCenum cap);
  * four samples a pixel. RC_STRUCTURE_HINT: RC_STRUCTURE_KD_TREE, _BVH, _NONE are what is built from now on. GL's
  * other hints are accepted. Initially RC_DONT_CARE. IE: target or mode. */
 RC_APICALL void RC_APIENTRY rcHint(RCenum target, RCenum mode);
+/* Beyond the vendor's API: calls that fail in the current context tell callback what, where and why; NULL (initially):
+ * nobody. The message is that of RAYCORE_LOG=error. The callback must call no rc* function and let no exception out. */
+RC_APICALL void RC_APIENTRY rcDebugMessageCallbackRCX(RCDEBUGPROCRCX callback, const RCvoid *userParam);
 /* State by name, converted to the type asked for; RGBA colours become 0 ... 255 in integers. IE: pname. */
 RC_APICALL void RC_APIENTRY rcGetBooleanv(RCenum pname, RCboolean *params);
 RC_APICALL void RC_APIENTRY rcGetFixedv(RCenum pname, RCfixed *params);

@@ -560,4 +560,9 @@
 #define RC_FRAME_SHADE_TIME                           0x52430024 /* rcGet: milliseconds; shading and textures */
 #define RC_FRAME_STORE_TIME                           0x52430025 /* rcGet: milliseconds; making rays from pixels, and bytes from colours */
 
+/* beyond the vendor's API: what rcDebugMessageCallbackRCX tells, with the values of KHR_debug */
+#define RC_DEBUG_SOURCE_API                           0x8246
+#define RC_DEBUG_TYPE_ERROR                           0x824C
+#define RC_DEBUG_SEVERITY_HIGH                        0x9146
+
 #endif /* RC_RCTOKENS_H */

@@ -37,4 +37,8 @@ typedef char RCchar;
 typedef signed long int RCintptr;
 typedef signed long int RCsizeiptr;
 
+/* What rcDebugMessageCallbackRCX calls. */
+typedef void(RC_APIENTRY *RCDEBUGPROCRCX)(RCenum source, RCenum type, RCuint id, RCenum severity, RCsizei length,
+                                          const RCchar *message, const RCvoid *userParam);
+
 #endif /* RC_RCTYPES_H */

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "api/context.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 #include <utility>
@@ -173,7 +174,7 @@ void Context::reportFrame() const {
 void Context::fail(RCenum error, const char *reason, ...) {
   if (mError == RC_NO_ERROR) mError = error;
   mFailure.error = error;
-  if (!logEnabled(LogLevel::Error) && !tracing()) return;
+  if (!logEnabled(LogLevel::Error) && !tracing() && !mDebugCallback.call) return;
   char text[512];
   va_list arguments;
   va_start(arguments, reason);
@@ -185,6 +186,17 @@ void Context::fail(RCenum error, const char *reason, ...) {
     mFailure.reason.clear();
   }
   log(LogLevel::Error, "%s: %s: %s", mFunction, errorName(error), mFailure.reason.c_str());
+  tellCallback();
+}
+
+// The message is that of the log; its id is the error.
+void Context::tellCallback() {
+  if (!mDebugCallback.call) return;
+  char message[640];
+  const int length = std::snprintf(message, sizeof message, "%s: %s: %s", mFunction, errorName(mFailure.error),
+                                   mFailure.reason.c_str());
+  mDebugCallback.call(RC_DEBUG_SOURCE_API, RC_DEBUG_TYPE_ERROR, mFailure.error, RC_DEBUG_SEVERITY_HIGH,
+                      std::min(length, int(sizeof message) - 1), message, mDebugCallback.userParam);
 }
 
 RCenum Context::takeError() { return std::exchange(mError, RC_NO_ERROR); }

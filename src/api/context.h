@@ -39,10 +39,16 @@ struct SharedObjects {
   std::atomic<uint64_t> changes = 0;  // counts what any context of the group changed; read without the mutex too
 };
 
+// Whom rcDebugMessageCallbackRCX named.
+struct DebugCallback {
+  RCDEBUGPROCRCX call = nullptr;
+  const RCvoid *userParam = nullptr;
+};
+
 // The error a call raised, for the tracer.
 struct Failure {
   RCenum error = RC_NO_ERROR;
-  std::string reason;  // kept while tracing or logging errors
+  std::string reason;  // kept while somebody wants to know: the tracer, the log, the callback
 };
 
 class Context {
@@ -101,6 +107,7 @@ class Context {
   // Notes the first error and logs every one: "rcFrustum: RC_INVALID_VALUE: zNear is -1, not above 0".
   [[gnu::format(printf, 3, 4)]] void fail(RCenum error, const char *reason, ...);
   RCenum takeError();
+  void setDebugCallback(const DebugCallback &callback) { mDebugCallback = callback; }
   // A call begins.
   void enterFunction(const char *name) {
     mFunction = name;
@@ -116,6 +123,7 @@ class Context {
 
   ddk::FrameState frameState() const;
   void reportFrame() const;
+  void tellCallback();
 
   const Profile &mProfile;
   int mSamples;
@@ -132,6 +140,7 @@ class Context {
   mutable bool mMeasuresUnits = false;  // turned on by a question
   RCenum mError = RC_NO_ERROR;
   Failure mFailure;
+  DebugCallback mDebugCallback;
   const char *mFunction = "";
 };
 

@@ -17,12 +17,14 @@ void setPointer(Context &context, RCenum array, RCint size, RCenum type, RCsizei
   const ArrayTokens &tokens = *findArrayTokens(array);
   ArrayState &arrays = context.state.arrays;
   ClientArray &target = arrays.*tokens.member;
-  if (!tokens.hasType(type)) return context.fail(RC_INVALID_ENUM, "type 0x%04X is no type of this array", type);
-  if (stride < 0) return context.fail(RC_INVALID_VALUE, "stride is %d", stride);
+  if (!tokens.hasType(type))
+    return context.fail(RC_INVALID_ENUM, "type 0x%04X is no type of array 0x%04X", type, array);
+  if (stride < 0) return context.fail(RC_INVALID_VALUE, "stride is %d, not 0 or more", stride);
   const std::shared_ptr<Buffer> &buffer = arrays.arrayBuffer.buffer;
   if (buffer && buffer->bytes.empty()) return context.fail(RC_INVALID_OPERATION, "the bound buffer has no data");
   if (buffer && reinterpret_cast<size_t>(pointer) >= buffer->bytes.size()) {
-    return context.fail(RC_INVALID_VALUE, "the offset lies beyond the %zu bytes of the buffer", buffer->bytes.size());
+    return context.fail(RC_INVALID_VALUE, "pointer, an offset here, lies beyond the %zu bytes of the buffer",
+                        buffer->bytes.size());
   }
   target.size = size;
   target.type = type;
@@ -42,18 +44,23 @@ void setPlainPointer(Context &context, RCenum array, RCint wanted, RCint size, R
 // Arrays of the palette have up to as many values a vertex as it has matrices.
 void setPalettePointer(Context &context, RCenum array, RCint size, RCenum type, RCsizei stride, const RCvoid *pointer) {
   if (!context.state.palette.enabled) return context.fail(RC_INVALID_OPERATION, "the matrix palette is not enabled");
-  if (size < 1 || size > RCint(PaletteState::kMatrices)) return context.fail(RC_INVALID_VALUE, "size is %d", size);
+  if (size < 1 || size > RCint(PaletteState::kMatrices))
+    return context.fail(RC_INVALID_VALUE, "size is %d, not in 1 ... 128", size);
   setPointer(context, array, size, type, stride, pointer);
 }
 
 void setTexCoord(Context &context, RCenum unit, const Vec4 &coordinate) {
-  if (unit != RC_TEXTURE0) return context.fail(RC_INVALID_ENUM, "0x%04X is not RC_TEXTURE0, the only unit", unit);
+  if (unit != RC_TEXTURE0)
+    return context.fail(RC_INVALID_ENUM, "target 0x%04X is not RC_TEXTURE0, the only unit", unit);
   context.state.arrays.currentTexCoord = coordinate;
 }
 
 void setClientState(Context &context, RCenum name, bool enabled) {
   ClientArray *array = findArray(context.state.arrays, name);
-  if (!array) return context.fail(RC_INVALID_ENUM, "0x%04X is no array", name);
+  if (!array)
+    return context.fail(
+        RC_INVALID_ENUM,
+        "array 0x%04X is none of vertices, normals, colours, texture coordinates, palette or point sizes", name);
   array->enabled = enabled;
 }
 
@@ -129,7 +136,7 @@ void rcMultiTexCoord4x(RCenum target, RCfixed s, RCfixed t, RCfixed r, RCfixed q
 void rcGetPointerv(RCenum pname, RCvoid **params) {
   enter(Call("rcGetPointerv", pname, params), [&](Context &context) {
     const ClientArray *array = findArrayByPointer(context.state.arrays, pname);
-    if (!array) return context.fail(RC_INVALID_ENUM, "0x%04X is no array pointer", pname);
+    if (!array) return context.fail(RC_INVALID_ENUM, "pname 0x%04X is no pointer of an array", pname);
     if (params) *params = const_cast<RCvoid *>(array->pointer);
   });
 }

@@ -50,14 +50,14 @@ extern "C" {
 
 void rcGenBuffers(RCsizei n, RCuint *buffers) {
   enter(Call("rcGenBuffers", n, buffers), [&](Context &context) {
-    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
+    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d, not 0 or more", n);
     for (RCsizei i = 0; buffers && i < n; ++i) buffers[i] = context.objects().buffers.generate();
   });
 }
 
 void rcDeleteBuffers(RCsizei n, const RCuint *buffers) {
   enter(Call("rcDeleteBuffers", n, list(buffers, n)), [&](Context &context) {
-    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
+    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d, not 0 or more", n);
     for (RCsizei i = 0; buffers && i < n; ++i) {
       if (buffers[i] == 0) continue;
       context.objects().buffers.remove(buffers[i]);
@@ -87,10 +87,10 @@ void rcBufferData(RCenum target, RCsizeiptr size, const RCvoid *data, RCenum usa
     if (usage != RC_STATIC_DRAW && usage != RC_DYNAMIC_DRAW) {
       return context.fail(RC_INVALID_ENUM, "usage 0x%04X is not RC_STATIC_DRAW or RC_DYNAMIC_DRAW", usage);
     }
-    if (size < 0) return context.fail(RC_INVALID_VALUE, "size is %ld", size);
+    if (size < 0) return context.fail(RC_INVALID_VALUE, "size is %ld, not 0 or more", size);
     Buffer *buffer = findBound(context, *binding);
     if (!buffer) return;
-    if (size > kLargestBuffer) return context.fail(RC_OUT_OF_MEMORY, "%ld bytes are more than there can be", size);
+    if (size > kLargestBuffer) return context.fail(RC_OUT_OF_MEMORY, "size is %ld, more than there can be", size);
     std::vector<std::byte> bytes(static_cast<size_t>(size));
     if (data && size > 0) std::memcpy(bytes.data(), data, bytes.size());
     buffer->bytes = std::move(bytes);
@@ -109,8 +109,8 @@ void rcBufferSubData(RCenum target, RCintptr offset, RCsizeiptr size, const RCvo
     }
     const auto available = static_cast<RCsizeiptr>(buffer->bytes.size());
     if (!data || offset < 0 || size <= 0 || offset > available || size > available - offset) {
-      return context.fail(RC_INVALID_VALUE, "%ld bytes at %ld are not within the %ld bytes of the buffer", size, offset,
-                          available);
+      return context.fail(RC_INVALID_VALUE, "size is %ld at offset %ld: not within the %ld bytes of the buffer", size,
+                          offset, available);
     }
     std::memcpy(buffer->bytes.data() + offset, data, static_cast<size_t>(size));
   });
@@ -121,7 +121,7 @@ void rcGetBufferParameteriv(RCenum target, RCenum pname, RCint *params) {
     const BufferBinding *binding = findBinding(context, target);
     if (!binding) return;
     if (pname != RC_BUFFER_SIZE && pname != RC_BUFFER_USAGE) {
-      return context.fail(RC_INVALID_ENUM, "0x%04X is no buffer parameter", pname);
+      return context.fail(RC_INVALID_ENUM, "pname 0x%04X is not RC_BUFFER_SIZE or RC_BUFFER_USAGE", pname);
     }
     const Buffer *buffer = findBound(context, *binding);
     if (!buffer || !params) return;

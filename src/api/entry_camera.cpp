@@ -19,9 +19,11 @@ void setFrustum(Context &context, double l, double r, double b, double t, double
     return context.fail(RC_INVALID_VALUE, "zNear %g and zFar %g must be above 0 and differ", zNear, zFar);
   }
   if (!(l < r || l > r) || !(b < t || b > t)) {
-    return context.fail(RC_INVALID_VALUE, "the window %g ... %g by %g ... %g has no size", l, r, b, t);
+    return context.fail(RC_INVALID_VALUE, "left ... right is %g ... %g and bottom ... top %g ... %g: one is empty", l,
+                        r, b, t);
   }
-  if (!std::isfinite(l + r + b + t + zNear)) return context.fail(RC_INVALID_VALUE, "a value is infinite");
+  if (!std::isfinite(l + r + b + t + zNear))
+    return context.fail(RC_INVALID_VALUE, "left, right, bottom, top or zNear is not finite");
   context.state.view.camera.window = {l, r, b, t, zNear, false};
   context.touch();
 }
@@ -29,10 +31,12 @@ void setFrustum(Context &context, double l, double r, double b, double t, double
 // Parallel rays; zNear may lie behind the viewer.
 void setOrtho(Context &context, double l, double r, double b, double t, double zNear, double zFar) {
   if (!(l < r || l > r) || !(b < t || b > t) || !(zNear < zFar || zNear > zFar)) {
-    return context.fail(RC_INVALID_VALUE, "the box %g ... %g by %g ... %g by %g ... %g has no size", l, r, b, t, zNear,
-                        zFar);
+    return context.fail(RC_INVALID_VALUE,
+                        "left ... right is %g ... %g, bottom ... top %g ... %g, zNear ... zFar %g ... %g: one is empty",
+                        l, r, b, t, zNear, zFar);
   }
-  if (!std::isfinite(l + r + b + t + zNear)) return context.fail(RC_INVALID_VALUE, "a value is infinite");
+  if (!std::isfinite(l + r + b + t + zNear))
+    return context.fail(RC_INVALID_VALUE, "left, right, bottom, top or zNear is not finite");
   context.state.view.camera.window = {l, r, b, t, zNear, true};
   context.touch();
 }
@@ -48,7 +52,8 @@ void setLookAt(Context &context, const Vec3 &eye, const Vec3 &centre, const Vec3
   const Vec3 given = normalizedOr(up, none);
   const Vec3 right = normalizedOr(glm::cross(given, back), none);
   if (!isFinite(eye) || back == none || right == none) {
-    return context.fail(RC_INVALID_VALUE, "eye and centre must differ, and up must point across the view");
+    return context.fail(RC_INVALID_VALUE,
+                        "eyex ... and centerx ... must be finite and differ, and upx ... must point across the view");
   }
   ddk::Camera &camera = context.state.view.camera;
   camera.eye = eye;
@@ -64,7 +69,8 @@ extern "C" {
 
 void rcViewport(RCint x, RCint y, RCsizei width, RCsizei height) {
   enter(Call("rcViewport", x, y, width, height), [&](Context &context) {
-    if (width < 0 || height < 0) return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", width, height);
+    if (width < 0 || height < 0)
+      return context.fail(RC_INVALID_VALUE, "width x height is %d x %d, not 0 or more", width, height);
     ViewState &view = context.state.view;
     view.x = x;
     view.y = y;
@@ -108,9 +114,9 @@ void rcOrthox(RCfixed l, RCfixed r, RCfixed b, RCfixed t, RCfixed zNear, RCfixed
 
 void rcuPerspective(RCfloat fovy, RCfloat aspect, RCfloat zNear, RCfloat zFar) {
   enter(Call("rcuPerspective", fovy, aspect, zNear, zFar), [&](Context &context) {
-    if (!(fovy > 0 && fovy < 180)) return context.fail(RC_INVALID_VALUE, "fovy %g is not between 0 and 180", fovy);
+    if (!(fovy > 0 && fovy < 180)) return context.fail(RC_INVALID_VALUE, "fovy is %g, not between 0 and 180", fovy);
     if (!(aspect > 0) || !std::isfinite(aspect))
-      return context.fail(RC_INVALID_VALUE, "aspect %g is not above 0", aspect);
+      return context.fail(RC_INVALID_VALUE, "aspect is %g, not above 0 and finite", aspect);
     const ddk::Window window = ddk::Window::perspective(fovy, aspect, zNear);
     setFrustum(context, window.left, window.right, window.bottom, window.top, zNear, zFar);
   });

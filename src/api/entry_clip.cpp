@@ -16,7 +16,7 @@ namespace {
 Vec4 *findPlane(Context &context, RCenum name) {
   const RCenum index = name - RC_CLIP_PLANE0;
   if (index < ClipState::kPlanes) return &context.state.clip.planes[index];
-  context.fail(RC_INVALID_ENUM, "0x%04X is none of the %zu clip planes", name, ClipState::kPlanes);
+  context.fail(RC_INVALID_ENUM, "plane 0x%04X is not RC_CLIP_PLANE0 ... %zu", name, ClipState::kPlanes - 1);
   return nullptr;
 }
 

@@ -16,6 +16,9 @@ using namespace rc::api;
 
 namespace {
 
+constexpr char kUndrawnMode[] =
+    "mode 0x%04X is not RC_TRIANGLES, RC_TRIANGLE_STRIP, RC_TRIANGLE_FAN or RC_QUADS: rays meet triangles only";
+
 std::optional<ddk::Primitive> primitiveOf(RCenum mode) {
   switch (mode) {
     case RC_TRIANGLES:
@@ -143,8 +146,9 @@ extern "C" {
 void rcDrawArrays(RCenum mode, RCint first, RCsizei count) {
   enter(Call("rcDrawArrays", mode, first, count), [&](Context &context) {
     const auto primitive = primitiveOf(mode);
-    if (!primitive) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not drawn", mode);
-    if (first < 0 || count < 0) return context.fail(RC_INVALID_VALUE, "first is %d, count is %d", first, count);
+    if (!primitive) return context.fail(RC_INVALID_ENUM, kUndrawnMode, mode);
+    if (first < 0 || count < 0)
+      return context.fail(RC_INVALID_VALUE, "first is %d and count %d, not 0 or more", first, count);
     draw(context, *primitive, {.first = size_t(first), .count = size_t(count)});
   });
 }
@@ -153,9 +157,11 @@ void rcDrawElements(RCenum mode, RCsizei count, RCenum type, const RCvoid *indic
   enter(Call("rcDrawElements", mode, count, type, indices), [&](Context &context) {
     const auto primitive = primitiveOf(mode);
     const auto indexType = indexTypeOf(type);
-    if (!primitive) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not drawn", mode);
-    if (count < 0) return context.fail(RC_INVALID_VALUE, "count is %d", count);
-    if (!indexType) return context.fail(RC_INVALID_ENUM, "type 0x%04X is no type of an index", type);
+    if (!primitive) return context.fail(RC_INVALID_ENUM, kUndrawnMode, mode);
+    if (count < 0) return context.fail(RC_INVALID_VALUE, "count is %d, not 0 or more", count);
+    if (!indexType)
+      return context.fail(RC_INVALID_ENUM, "type 0x%04X is not RC_UNSIGNED_BYTE, RC_UNSIGNED_SHORT or RC_UNSIGNED_INT",
+                          type);
     if (const auto view = indexView(context, *indexType, size_t(count), indices)) draw(context, *primitive, *view);
   });
 }

@@ -21,12 +21,13 @@ struct Found {
 Found find(Context &context, RCenum light, RCenum pname) {
   std::vector<ddk::Light> &lights = context.state.light.lights;
   if (light < RC_LIGHT0 || light - RC_LIGHT0 >= lights.size()) {
-    context.fail(RC_INVALID_ENUM, "0x%04X is none of the %zu lights", light, lights.size());
+    context.fail(RC_INVALID_ENUM, "light 0x%04X is not RC_LIGHT0 ... %zu", light, lights.size() - 1);
     return {};
   }
   const LightParameter *parameter = findLightParameter(pname);
   if (!parameter) {
-    context.fail(RC_INVALID_ENUM, "0x%04X is no light parameter", pname);
+    context.fail(RC_INVALID_ENUM,
+                 "pname 0x%04X is no parameter of lights (a colour, RC_POSITION, RC_SPOT_*, RC_*_ATTENUATION)", pname);
     return {};
   }
   return {&lights[light - RC_LIGHT0], parameter};
@@ -34,7 +35,8 @@ Found find(Context &context, RCenum light, RCenum pname) {
 
 void set(Context &context, const Found &found, const float *values) {
   if (!validLightValues(*found.parameter, values)) {
-    return context.fail(RC_INVALID_VALUE, "%g is out of range for parameter 0x%04X", values[0], found.parameter->name);
+    return context.fail(RC_INVALID_VALUE, "params is %g for pname 0x%04X, not %s", values[0], found.parameter->name,
+                        allowedLightValues(*found.parameter));
   }
   setLightValues(*found.parameter, values, context.state.matrices.modelview.current(), *found.light);
   context.touch();
@@ -44,7 +46,7 @@ void setScalar(Context &context, RCenum light, RCenum pname, float value) {
   const Found found = find(context, light, pname);
   if (!found.light) return;
   if (found.parameter->reads != 1) {
-    return context.fail(RC_INVALID_ENUM, "parameter 0x%04X has several values; use rcLightfv", pname);
+    return context.fail(RC_INVALID_ENUM, "pname 0x%04X has several values; rcLightfv sets them", pname);
   }
   set(context, found, &value);
 }
@@ -66,7 +68,7 @@ void rcLightfv(RCenum light, RCenum pname, const RCfloat *params) {
   enter(Call("rcLightfv", light, pname, list(params, [&] { return lightValueCount(pname); })), [&](Context &context) {
     const Found found = find(context, light, pname);
     if (!found.light) return;
-    if (!params) return context.fail(RC_INVALID_VALUE, "params is NULL");
+    if (!params) return context.fail(RC_INVALID_VALUE, "params is NULL, not a pointer to values");
     set(context, found, params);
   });
 }
@@ -75,7 +77,7 @@ void rcLightxv(RCenum light, RCenum pname, const RCfixed *params) {
   enter(Call("rcLightxv", light, pname, list(params, [&] { return lightValueCount(pname); })), [&](Context &context) {
     const Found found = find(context, light, pname);
     if (!found.light) return;
-    if (!params) return context.fail(RC_INVALID_VALUE, "params is NULL");
+    if (!params) return context.fail(RC_INVALID_VALUE, "params is NULL, not a pointer to values");
     float values[4] = {};
     std::transform(params, params + found.parameter->reads, values, [](RCfixed value) { return fromFixed(value); });
     set(context, found, values);

@@ -23,7 +23,11 @@ const MaterialParameter *find(Context &context, RCenum face, RCenum pname, bool 
     return nullptr;
   }
   const MaterialParameter *parameter = findMaterialParameter(pname);
-  if (!parameter) context.fail(RC_INVALID_ENUM, "0x%04X is no material parameter", pname);
+  if (!parameter)
+    context.fail(RC_INVALID_ENUM,
+                 "pname 0x%04X is no parameter of materials (a colour, RC_REFLECTION, RC_TRANSMITTANCE, "
+                 "RC_REFRACTION_INDEX, RC_SHININESS, RC_SPECULAR_LEVEL)",
+                 pname);
   return parameter;
 }
 
@@ -32,7 +36,7 @@ void set(Context &context, const MaterialParameter &parameter, const float *valu
   ddk::Material &material = context.boundMaterial();
   if (parameter.kind == Kind::Scalar) {
     if (!(values[0] >= 0)) {
-      return context.fail(RC_INVALID_VALUE, "%g is below 0 for parameter 0x%04X", values[0], parameter.name);
+      return context.fail(RC_INVALID_VALUE, "params is %g for pname 0x%04X, not 0 or more", values[0], parameter.name);
     }
     *parameter.scalar(material) = values[0];
   } else {
@@ -46,7 +50,7 @@ void setScalar(Context &context, RCenum face, RCenum pname, float value) {
   const MaterialParameter *parameter = find(context, face, pname, false);
   if (!parameter) return;
   if (parameter->kind == Kind::Colour) {
-    return context.fail(RC_INVALID_ENUM, "parameter 0x%04X is a colour; use rcMaterialfv", pname);
+    return context.fail(RC_INVALID_ENUM, "pname 0x%04X is a colour; rcMaterialfv sets it", pname);
   }
   const float values[3] = {value, value, value};
   set(context, *parameter, values);
@@ -63,7 +67,7 @@ template <class Read>
 void setVector(Context &context, RCenum face, RCenum pname, bool hasValues, Read &&read) {
   const MaterialParameter *parameter = find(context, face, pname, false);
   if (!parameter) return;
-  if (!hasValues) return context.fail(RC_INVALID_VALUE, "params is NULL");
+  if (!hasValues) return context.fail(RC_INVALID_VALUE, "params is NULL, not a pointer to values");
   const int count = materialValueCount(pname, context.profile().colouredReflection);
   float values[3];
   for (int i = 0; i < 3; ++i) values[i] = read(count == 1 ? 0 : i);
@@ -98,7 +102,7 @@ extern "C" {
 
 void rcGenMaterials(RCsizei n, RCuint *materials) {
   enter(Call("rcGenMaterials", n, materials), [&](Context &context) {
-    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
+    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d, not 0 or more", n);
     if (!materials) return;
     for (RCsizei i = 0; i < n; ++i) {
       const std::optional<RCuint> name = context.objects().materials.generate(context.boundMaterial());
@@ -110,7 +114,7 @@ void rcGenMaterials(RCsizei n, RCuint *materials) {
 
 void rcDeleteMaterials(RCsizei n, RCuint *materials) {
   enter(Call("rcDeleteMaterials", n, list(materials, n)), [&](Context &context) {
-    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
+    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d, not 0 or more", n);
     if (!materials) return;
     for (RCsizei i = 0; i < n; ++i) {
       context.objects().materials.remove(materials[i]);
@@ -122,8 +126,7 @@ void rcDeleteMaterials(RCsizei n, RCuint *materials) {
 void rcBindMaterial(RCuint material) {
   enter(Call("rcBindMaterial", material), [&](Context &context) {
     if (!MaterialTable::canExist(material)) {
-      return context.fail(RC_OUT_OF_MEMORY, "%u is above the last material name, %u", material,
-                          hal::kNamedMaterials - 1);
+      return context.fail(RC_OUT_OF_MEMORY, "material is %u, not in 0 ... %u", material, hal::kNamedMaterials - 1);
     }
     bindMaterial(context, material);
   });

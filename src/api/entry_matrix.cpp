@@ -77,7 +77,8 @@ void rcMatrixMode(RCenum mode) {
       return context.fail(RC_INVALID_OPERATION, "the matrix palette is not enabled");
     }
     if (mode != RC_MODELVIEW && mode != RC_PROJECTION && mode != RC_TEXTURE && mode != RC_MATRIX_PALETTE_OES) {
-      return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not a matrix mode", mode);
+      return context.fail(RC_INVALID_ENUM,
+                          "mode 0x%04X is not RC_MODELVIEW, RC_PROJECTION, RC_TEXTURE or RC_MATRIX_PALETTE_OES", mode);
     }
     context.state.matrices.mode = mode;
   });
@@ -150,7 +151,8 @@ void rcPopMatrix(void) {
 void rcCurrentPaletteMatrixOES(RCuint index) {
   enter(Call("rcCurrentPaletteMatrixOES", index), [&](Context &context) {
     PaletteState &palette = context.state.palette;
-    if (index >= PaletteState::kMatrices) return context.fail(RC_INVALID_VALUE, "%u is above 127", index);
+    if (index >= PaletteState::kMatrices)
+      return context.fail(RC_INVALID_VALUE, "matrixpaletteindex is %u, not in 0 ... 127", index);
     if (!palette.enabled) return context.fail(RC_INVALID_OPERATION, "the matrix palette is not enabled");
     palette.current = index;
   });

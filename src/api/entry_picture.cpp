@@ -36,7 +36,7 @@ const ReadFormat *findReadFormat(Context &context, RCenum format, RCenum type) {
 
 void readPixels(Context &context, const hal::PixelRect &part, const ReadFormat &format, RCvoid *pixels) {
   if (part.columns < 0 || part.rows < 0) {
-    return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", part.columns, part.rows);
+    return context.fail(RC_INVALID_VALUE, "width x height is %d x %d, not 0 or more", part.columns, part.rows);
   }
   const hal::Target picture = context.picture();
   if (!picture.pixels) return context.fail(RC_INVALID_OPERATION, "there is no surface to read from");
@@ -88,7 +88,8 @@ extern "C" {
 
 void rcScissor(RCint x, RCint y, RCsizei width, RCsizei height) {
   enter(Call("rcScissor", x, y, width, height), [&](Context &context) {
-    if (width < 0 || height < 0) return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", width, height);
+    if (width < 0 || height < 0)
+      return context.fail(RC_INVALID_VALUE, "width x height is %d x %d, not 0 or more", width, height);
     PictureState &picture = context.state.picture;
     picture.scissorX = x;
     picture.scissorY = y;
@@ -109,10 +110,10 @@ void rcPixelStorei(RCenum pname, RCint param) {
   enter(Call("rcPixelStorei", pname, param), [&](Context &context) {
     PixelStoreState &store = context.state.pixelStore;
     if (pname != RC_PACK_ALIGNMENT && pname != RC_UNPACK_ALIGNMENT) {
-      return context.fail(RC_INVALID_ENUM, "0x%04X is no way to store pixels", pname);
+      return context.fail(RC_INVALID_ENUM, "pname 0x%04X is not RC_UNPACK_ALIGNMENT or RC_PACK_ALIGNMENT", pname);
     }
     if (param != 1 && param != 2 && param != 4 && param != 8) {
-      return context.fail(RC_INVALID_VALUE, "alignment %d is not 1, 2, 4 or 8", param);
+      return context.fail(RC_INVALID_VALUE, "param is %d, not 1, 2, 4 or 8", param);
     }
     (pname == RC_PACK_ALIGNMENT ? store.packAlignment : store.unpackAlignment) = param;
   });

@@ -18,7 +18,8 @@ template <class... Arguments, class Value, class Convert>
 void get(const Call<Arguments...> &call, RCenum pname, Value *params, Convert &&convert) {
   enter(call, [&](Context &context) {
     const QueryResult result = query(context, pname);
-    if (result.count == 0) return context.fail(RC_INVALID_ENUM, "0x%04X is no state that can be asked for", pname);
+    if (result.count == 0)
+      return context.fail(RC_INVALID_ENUM, "pname 0x%04X is no state that can be asked for", pname);
     for (int i = 0; params && i < result.count; ++i) params[i] = convert(result.kind, result.values[size_t(i)]);
   });
 }

@@ -18,13 +18,13 @@ using Kind = ParameterRow::Kind;
 using Values = ParameterValues;
 
 // Whether the token is in a range of consecutive ones; else RC_INVALID_ENUM.
-bool checkToken(Context &context, RCenum token, RCenum first, RCenum last) {
+bool checkToken(Context &context, const char *argument, RCenum token, RCenum first, RCenum last) {
   if (token >= first && token <= last) return true;
-  context.fail(RC_INVALID_ENUM, "0x%04X is none of the tokens of this call", token);
+  context.fail(RC_INVALID_ENUM, "%s 0x%04X is not one of 0x%04X ... 0x%04X", argument, token, first, last);
   return false;
 }
 
-bool isComparison(Context &context, RCenum func) { return checkToken(context, func, RC_NEVER, RC_ALWAYS); }
+bool isComparison(Context &context, RCenum func) { return checkToken(context, "func", func, RC_NEVER, RC_ALWAYS); }
 
 bool isSourceFactor(RCenum f) {
   return f == RC_ZERO || f == RC_ONE || (f >= RC_SRC_ALPHA && f <= RC_SRC_ALPHA_SATURATE);
@@ -37,8 +37,9 @@ bool isStencilOperation(RCenum op) { return op == RC_ZERO || op == RC_INVERT || 
 
 void setBlendFunc(Context &context, RCenum source, RCenum destination) {
   if (!isSourceFactor(source) || !isDestinationFactor(destination)) {
-    return context.fail(RC_INVALID_ENUM, "0x%04X and 0x%04X are not a source and a destination factor", source,
-                        destination);
+    return context.fail(RC_INVALID_ENUM,
+                        "sfactor 0x%04X and dfactor 0x%04X are not a factor of the source and one of the destination",
+                        source, destination);
   }
   context.state.raster.blendSource = source;
   context.state.raster.blendDestination = destination;
@@ -46,8 +47,10 @@ void setBlendFunc(Context &context, RCenum source, RCenum destination) {
 
 void setStencilOp(Context &context, RCenum fail, RCenum depthFail, RCenum depthPass) {
   if (!isStencilOperation(fail) || !isStencilOperation(depthFail) || !isStencilOperation(depthPass)) {
-    return context.fail(RC_INVALID_ENUM, "0x%04X, 0x%04X, 0x%04X: one is no stencil operation", fail, depthFail,
-                        depthPass);
+    return context.fail(RC_INVALID_ENUM,
+                        "fail 0x%04X, zfail 0x%04X, zpass 0x%04X: one is not RC_KEEP, RC_ZERO, RC_REPLACE, RC_INCR, "
+                        "RC_DECR or RC_INVERT",
+                        fail, depthFail, depthPass);
   }
   RasterState &raster = context.state.raster;
   raster.stencilFail = fail;
@@ -56,8 +59,8 @@ void setStencilOp(Context &context, RCenum fail, RCenum depthFail, RCenum depthP
 }
 
 // Widths and sizes are above 0.
-void setSize(Context &context, float RasterState::*member, float size) {
-  if (!(size > 0)) return context.fail(RC_INVALID_VALUE, "%g is not above 0", size);
+void setSize(Context &context, const char *argument, float RasterState::*member, float size) {
+  if (!(size > 0)) return context.fail(RC_INVALID_VALUE, "%s is %g, not above 0", argument, size);
   context.state.raster.*member = size;
 }
 
@@ -104,7 +107,7 @@ void rcBlendFunc(RCenum sfactor, RCenum dfactor) {
 
 void rcLogicOp(RCenum opcode) {
   enter(Call("rcLogicOp", opcode), [&](Context &context) {
-    if (checkToken(context, opcode, RC_CLEAR, RC_SET)) context.state.raster.logicOp = opcode;
+    if (checkToken(context, "opcode", opcode, RC_CLEAR, RC_SET)) context.state.raster.logicOp = opcode;
   });
 }
 
@@ -158,21 +161,22 @@ void rcStencilOp(RCenum fail, RCenum zfail, RCenum zpass) {
 }
 
 void rcLineWidth(RCfloat width) {
-  enter(Call("rcLineWidth", width), [&](Context &context) { setSize(context, &RasterState::lineWidth, width); });
+  enter(Call("rcLineWidth", width),
+        [&](Context &context) { setSize(context, "width", &RasterState::lineWidth, width); });
 }
 
 void rcLineWidthx(RCfixed width) {
   enter(Call("rcLineWidthx", width),
-        [&](Context &context) { setSize(context, &RasterState::lineWidth, fromFixed(width)); });
+        [&](Context &context) { setSize(context, "width", &RasterState::lineWidth, fromFixed(width)); });
 }
 
 void rcPointSize(RCfloat size) {
-  enter(Call("rcPointSize", size), [&](Context &context) { setSize(context, &RasterState::pointSize, size); });
+  enter(Call("rcPointSize", size), [&](Context &context) { setSize(context, "size", &RasterState::pointSize, size); });
 }
 
 void rcPointSizex(RCfixed size) {
   enter(Call("rcPointSizex", size),
-        [&](Context &context) { setSize(context, &RasterState::pointSize, fromFixed(size)); });
+        [&](Context &context) { setSize(context, "size", &RasterState::pointSize, fromFixed(size)); });
 }
 
 void rcPointParameterf(RCenum pname, RCfloat param) {

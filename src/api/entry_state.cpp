@@ -14,7 +14,7 @@ namespace {
 
 void setSwitch(Context &context, RCenum cap, bool on) {
   bool *found = findSwitch(context, cap);
-  if (!found) return context.fail(RC_INVALID_ENUM, "0x%04X cannot be enabled", cap);
+  if (!found) return context.fail(RC_INVALID_ENUM, "cap 0x%04X is nothing that is switched", cap);
   if (cap == RC_MATRIX_PALETTE_OES) context.state.palette.current = 0;  // either way [reference 4.3]
   if (*found == on) return;
   *found = on;
@@ -53,18 +53,21 @@ constexpr HintRow kHints[] = {
 void setHint(Context &context, RCenum target, RCenum mode) {
   for (const HintRow &row : kHints) {
     if (row.target != target) continue;
-    if (!row.valid(mode)) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is none of hint 0x%04X", mode, target);
+    if (!row.valid(mode))
+      return context.fail(RC_INVALID_ENUM,
+                          "mode 0x%04X is none of target 0x%04X (RC_DONT_CARE, RC_FASTEST, RC_NICEST ...)", mode,
+                          target);
     context.state.hints.*row.member = mode;
     return context.touch();
   }
-  context.fail(RC_INVALID_ENUM, "0x%04X is no hint", target);
+  context.fail(RC_INVALID_ENUM, "target 0x%04X is no hint", target);
 }
 
 // What goes beyond the vendor's API, by name; docs/extensions/ has a document for each.
 constexpr const char *kExtensions =
-    "RC_RCX_es11_functions RC_RCX_frame_queries RC_RCX_frame_statistics RC_RCX_large_textures RC_RCX_material_emission "
-    "RC_RCX_opaque_alpha RC_RCX_packed_textures RC_RCX_ray_queries RC_RCX_structure_hint RC_RCX_trilinear "
-    "RC_RCX_vertex_colors";
+    "RC_RCX_debug_messages RC_RCX_es11_functions RC_RCX_frame_queries RC_RCX_frame_statistics RC_RCX_large_textures "
+    "RC_RCX_material_emission RC_RCX_opaque_alpha RC_RCX_packed_textures RC_RCX_ray_queries RC_RCX_structure_hint "
+    "RC_RCX_trilinear RC_RCX_vertex_colors";
 
 struct StringRow {
   RCenum name;
@@ -96,8 +99,14 @@ RCboolean rcIsEnabled(RCenum cap) {
   return enter(Call("rcIsEnabled", cap), [&](Context &context) -> RCboolean {
     if (const ClientArray *array = findArray(context.state.arrays, cap)) return array->enabled;
     if (const bool *found = findSwitch(context, cap)) return *found;
-    context.fail(RC_INVALID_ENUM, "0x%04X cannot be enabled", cap);
+    context.fail(RC_INVALID_ENUM, "cap 0x%04X is nothing that is switched", cap);
     return RC_FALSE;
+  });
+}
+
+void rcDebugMessageCallbackRCX(RCDEBUGPROCRCX callback, const RCvoid *userParam) {
+  enter(Call("rcDebugMessageCallbackRCX", reinterpret_cast<const void *>(callback), userParam), [&](Context &context) {
+    context.setDebugCallback({callback, userParam});
   });
 }
 
@@ -110,7 +119,7 @@ const RCubyte *rcGetString(RCenum name) {
     for (const StringRow &row : kStrings) {
       if (row.name == name) return reinterpret_cast<const RCubyte *>(row.text);
     }
-    context.fail(RC_INVALID_ENUM, "0x%04X is no string", name);
+    context.fail(RC_INVALID_ENUM, "name 0x%04X is not RC_VENDOR, RC_RENDERER, RC_VERSION or RC_EXTENSIONS", name);
     return nullptr;
   });
 }

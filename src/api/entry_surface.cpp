@@ -13,7 +13,8 @@ using namespace rc::api;
 namespace {
 
 void setAlphaFunc(Context &context, RCenum func, float reference) {
-  if (func < RC_NEVER || func > RC_ALWAYS) return context.fail(RC_INVALID_ENUM, "0x%04X is no comparison", func);
+  if (func < RC_NEVER || func > RC_ALWAYS)
+    return context.fail(RC_INVALID_ENUM, "func 0x%04X is not one of RC_NEVER ... RC_ALWAYS", func);
   context.state.surface.alphaFunc = func;
   context.state.surface.alphaRef = clamp01(reference);
 }
@@ -33,7 +34,7 @@ void rcAlphaFuncx(RCenum func, RCclampx ref) {
 void rcCullFace(RCenum mode) {
   enter(Call("rcCullFace", mode), [&](Context &context) {
     if (mode != RC_FRONT && mode != RC_BACK && mode != RC_FRONT_AND_BACK) {
-      return context.fail(RC_INVALID_ENUM, "mode 0x%04X is no side", mode);
+      return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not RC_FRONT, RC_BACK or RC_FRONT_AND_BACK", mode);
     }
     context.state.surface.cullMode = mode;
   });
@@ -41,7 +42,8 @@ void rcCullFace(RCenum mode) {
 
 void rcFrontFace(RCenum mode) {
   enter(Call("rcFrontFace", mode), [&](Context &context) {
-    if (mode != RC_CW && mode != RC_CCW) return context.fail(RC_INVALID_ENUM, "mode 0x%04X is no winding", mode);
+    if (mode != RC_CW && mode != RC_CCW)
+      return context.fail(RC_INVALID_ENUM, "mode 0x%04X is not RC_CCW or RC_CW", mode);
     context.state.surface.frontFace = mode;
   });
 }

@@ -12,11 +12,17 @@ using namespace rc::api;
 
 namespace {
 
+constexpr char kNoTextureParameter[] =
+    "pname 0x%04X is not RC_TEXTURE_WRAP_S, _WRAP_T, _MIN_FILTER, _MAG_FILTER, RC_GENERATE_MIPMAP or "
+    "RC_TEXTURE_OPAQUE_ALPHA";
+
 bool isWrap(RCenum value) { return value == RC_REPEAT || value == RC_CLAMP_TO_EDGE || value == RC_MIRRORED_REPEAT; }
 
 // A wrap mode goes to the texture, and to the material that is bound if it is an object. [spec 3.4]
 void setWrap(Context &context, ddk::TextureSlot slot, RCenum pname, RCenum value) {
-  if (!isWrap(value)) return context.fail(RC_INVALID_ENUM, "0x%04X is no wrap mode", value);
+  if (!isWrap(value))
+    return context.fail(RC_INVALID_ENUM, "param 0x%04X is not RC_REPEAT, RC_CLAMP_TO_EDGE or RC_MIRRORED_REPEAT",
+                        value);
   const bool s = pname == RC_TEXTURE_WRAP_S;
   ddk::Texture &texture = *context.state.texture.bound[slot].texture;
   (s ? texture.wrapS : texture.wrapT) = value;
@@ -45,11 +51,11 @@ void setParameter(Context &context, RCenum target, RCenum pname, RCint value) {
       context.state.texture.generateMipmap = value != 0;
       break;
     case RC_TEXTURE_OPAQUE_ALPHA:
-      if (value < 1 || value > 255) return context.fail(RC_INVALID_VALUE, "%d is not in 1 ... 255", value);
+      if (value < 1 || value > 255) return context.fail(RC_INVALID_VALUE, "param is %d, not in 1 ... 255", value);
       texture.opaqueAlpha = value;
       break;
     default:
-      return context.fail(RC_INVALID_ENUM, "0x%04X is no texture parameter", pname);
+      return context.fail(RC_INVALID_ENUM, kNoTextureParameter, pname);
   }
   context.touch();
 }
@@ -81,7 +87,7 @@ void getParameter(Context &context, RCenum target, RCenum pname, Value *params) 
       value = texture.opaqueAlpha;
       break;
     default:
-      return context.fail(RC_INVALID_ENUM, "0x%04X is no texture parameter", pname);
+      return context.fail(RC_INVALID_ENUM, kNoTextureParameter, pname);
   }
   if (params) *params = static_cast<Value>(value);
 }
@@ -102,14 +108,14 @@ extern "C" {
 
 void rcGenTextures(RCsizei n, RCuint *textures) {
   enter(Call("rcGenTextures", n, textures), [&](Context &context) {
-    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
+    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d, not 0 or more", n);
     for (RCsizei i = 0; textures && i < n; ++i) textures[i] = context.objects().textures.generate();
   });
 }
 
 void rcDeleteTextures(RCsizei n, const RCuint *textures) {
   enter(Call("rcDeleteTextures", n, list(textures, n)), [&](Context &context) {
-    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d", n);
+    if (n < 0) return context.fail(RC_INVALID_VALUE, "n is %d, not 0 or more", n);
     for (RCsizei i = 0; textures && i < n; ++i) {
       if (textures[i] == 0) continue;
       context.objects().textures.remove(textures[i]);

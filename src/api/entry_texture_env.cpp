@@ -82,7 +82,8 @@ constexpr ParameterRow kTextureEnv[] = {
 int countOf(RCenum target, RCenum pname) { return parameterCount(kTextureEnv, target, pname); }
 
 void setUnit(Context &context, RCenum &unit, RCenum texture) {
-  if (texture != RC_TEXTURE0) return context.fail(RC_INVALID_ENUM, "0x%04X is not RC_TEXTURE0, the only unit", texture);
+  if (texture != RC_TEXTURE0)
+    return context.fail(RC_INVALID_ENUM, "texture 0x%04X is not RC_TEXTURE0, the only unit", texture);
   unit = texture;
 }
 

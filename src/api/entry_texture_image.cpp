@@ -49,14 +49,14 @@ bool checkSize(Context &context, RCsizei width, RCsizei height) {
     return side >= kSmallestSide && side <= largest && (side & (side - 1)) == 0;
   };
   if (isSide(width) && isSide(height)) return true;
-  context.fail(RC_INVALID_VALUE, "%d x %d: sides must be powers of two from %d to %d", width, height, kSmallestSide,
-               largest);
+  context.fail(RC_INVALID_VALUE, "width x height is %d x %d, not powers of two from %d to %d", width, height,
+               kSmallestSide, largest);
   return false;
 }
 
 bool checkLevel(Context &context, RCint level, RCint border) {
   if (level == 0 && border == 0) return true;
-  context.fail(RC_INVALID_VALUE, "level and border must be 0");
+  context.fail(RC_INVALID_VALUE, "level is %d and border %d, not 0", level, border);
   return false;
 }
 
@@ -86,9 +86,12 @@ void texImage(Context &context, const TexImage &image) {
   if (!checkTarget(context, image.target)) return;
   const auto internalFormat = static_cast<RCenum>(image.internalformat);
   if (!isFormat(image.format) || !isFormat(internalFormat)) {
-    return context.fail(RC_INVALID_ENUM, "format and internalformat must be RC_RGB or RC_RGBA");
+    return context.fail(RC_INVALID_ENUM, "internalformat 0x%04X and format 0x%04X are not both RC_RGB or RC_RGBA",
+                        internalFormat, image.format);
   }
-  if (internalFormat != image.format) return context.fail(RC_INVALID_OPERATION, "internalformat differs from format");
+  if (internalFormat != image.format)
+    return context.fail(RC_INVALID_OPERATION, "internalformat 0x%04X is not format 0x%04X", internalFormat,
+                        image.format);
   if (!image.pixels) return;
   if (!checkLevel(context, image.level, image.border) || !checkSize(context, image.width, image.height)) return;
   const LayoutRow *layout = findLayout(context, image.format, image.type);
@@ -111,8 +114,8 @@ bool checkPart(Context &context, RCint level, const hal::PixelRect &part) {
                       part.columns <= image.width && part.column <= image.width - part.columns &&
                       part.rows <= image.height && part.row <= image.height - part.rows;
   if (!inside) {
-    context.fail(RC_INVALID_VALUE, "%d x %d at (%d, %d) is not within the %d x %d texels", part.columns, part.rows,
-                 part.column, part.row, image.width, image.height);
+    context.fail(RC_INVALID_VALUE, "width x height is %d x %d at xoffset %d, yoffset %d: not within the %d x %d texels",
+                 part.columns, part.rows, part.column, part.row, image.width, image.height);
   }
   return inside;
 }
@@ -129,7 +132,8 @@ void texSubImage(Context &context, RCint level, const hal::PixelRect &part, RCen
   const LayoutRow *layout = findLayout(context, format, type);
   if (!layout || !checkPart(context, level, part)) return;
   if (format != currentTexture(context).format) {
-    return context.fail(RC_INVALID_OPERATION, "the texture was loaded in another format");
+    return context.fail(RC_INVALID_OPERATION, "format 0x%04X is not 0x%04X, in which the texture was loaded", format,
+                        currentTexture(context).format);
   }
   if (!pixels) return;
   const ddk::PixelSource source{layout->layout, pixels, context.state.pixelStore.unpackAlignment};
@@ -158,7 +162,9 @@ std::optional<std::vector<uint32_t>> copyPicture(Context &context, RCint x, RCin
 void compressedTexImage(Context &context, RCint level, RCenum format, RCsizei width, RCsizei height, RCint border,
                         RCsizei imageSize, const RCvoid *data) {
   const ddk::PalettedFormat *paletted = ddk::findPalettedFormat(format);
-  if (!paletted) return context.fail(RC_INVALID_ENUM, "0x%04X is no paletted format", format);
+  if (!paletted)
+    return context.fail(RC_INVALID_ENUM,
+                        "internalformat 0x%04X is not one of RC_PALETTE4_RGB8_OES ... RC_PALETTE8_RGB5_A1_OES", format);
   if (level > 0 || level <= -hal::kMaxTextureLevels || border != 0) {
     return context.fail(RC_INVALID_VALUE, "level is %d, not 0 or minus the number of further levels; border is %d",
                         level, border);
@@ -199,7 +205,8 @@ void rcCopyTexImage2D(RCenum target, RCint level, RCenum internalformat, RCint x
                       RCsizei height, RCint border) {
   enter(Call("rcCopyTexImage2D", target, level, internalformat, x, y, width, height, border), [&](Context &context) {
     if (!checkTarget(context, target)) return;
-    if (!isFormat(internalformat)) return context.fail(RC_INVALID_ENUM, "internalformat 0x%04X", internalformat);
+    if (!isFormat(internalformat))
+      return context.fail(RC_INVALID_ENUM, "internalformat 0x%04X is not RC_RGB or RC_RGBA", internalformat);
     if (!checkLevel(context, level, border) || !checkSize(context, width, height)) return;
     auto texels = copyPicture(context, x, y, {0, 0, width, height}, internalformat);
     if (texels) load(context, std::move(*texels), width, height, internalformat);

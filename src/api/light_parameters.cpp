@@ -51,6 +51,10 @@ bool validLightValues(const LightParameter &parameter, const float *values) {
   });
 }
 
+const char *allowedLightValues(const LightParameter &parameter) {
+  return parameter.rule == Rule::Cone ? "0 ... 90 degrees or 180" : "0 or more";
+}
+
 void setLightValues(const LightParameter &parameter, const float *values, const Mat4 &worldFromObject, Light &light) {
   switch (parameter.rule) {
     case Rule::Position:

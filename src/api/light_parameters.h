@@ -32,6 +32,9 @@ inline int lightValueCount(RCenum name) {
 // Whether the values keep the parameter's rule.
 bool validLightValues(const LightParameter &parameter, const float *values);
 
+// What the rule allows, for messages.
+const char *allowedLightValues(const LightParameter &parameter);
+
 // Stores values that keep the rule; positions and directions pass through the modelview matrix.
 void setLightValues(const LightParameter &parameter, const float *values, const Mat4 &worldFromObject,
                     ddk::Light &light);

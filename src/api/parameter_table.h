@@ -70,7 +70,9 @@ void setScalarParameter(Context &context, std::span<const ParameterRow> table, R
                         Value value) {
   const ParameterRow *row = findParameter(context, table, target, name);
   if (!row) return;
-  if (row->count != 1) return context.fail(RC_INVALID_ENUM, "parameter 0x%04X has %d values", name, row->count);
+  if (row->count != 1)
+    return context.fail(RC_INVALID_ENUM, "pname 0x%04X has %d values; the call for vectors sets them", name,
+                        row->count);
   setParameter(context, *row, {parameterFrom(row->kind, value)});
 }
 

@@ -20,6 +20,10 @@ void ContextTest::useSettings(Settings settings) {
   context = std::make_unique<api::Context>(settings);
   context->attach(&surface);
   api::setCurrentContext(context.get());
+  const auto keep = [](RCenum, RCenum, RCuint, RCenum, RCsizei length, const RCchar *text, const RCvoid *kept) {
+    static_cast<std::string *>(const_cast<RCvoid *>(kept))->assign(text, size_t(length));
+  };
+  rcDebugMessageCallbackRCX(keep, &message);
 }
 
 void ContextTest::TearDown() {

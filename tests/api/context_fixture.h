@@ -97,23 +97,29 @@ class ContextTest : public testing::Test {
   std::vector<float> clipPlane(RCenum plane) const;
   std::vector<float> texEnv(RCenum pname, size_t count, RCenum target = RC_TEXTURE_ENV) const;
 
+  // What is wrong with the text of the last error: empty where it names the function, the error and, if a value was
+  // refused, the argument. In error_text.cpp.
+  std::string flawOfText(RCenum error) const;
+
   // Everything a program can ask for and what it can only see in pictures, one number after the other.
   // In context_snapshot.cpp.
   std::vector<double> snapshot() const;
 
   MemorySurface surface{kWidth, kHeight};
   std::unique_ptr<api::Context> context;
+  std::string message;  // of the last error
 };
 
 inline const std::vector<float> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-// The call raises exactly this error, once, and changes nothing.
+// The call raises exactly this error, once, with a text that helps, and changes nothing.
 #define EXPECT_RAISES(error, ...)                                        \
   do {                                                                   \
     const std::vector<double> before_ = snapshot();                      \
     __VA_ARGS__;                                                         \
     EXPECT_EQ(rcGetError(), static_cast<RCenum>(error)) << #__VA_ARGS__; \
     EXPECT_EQ(rcGetError(), RCenum(RC_NO_ERROR)) << #__VA_ARGS__;        \
+    EXPECT_EQ(flawOfText(error), "") << #__VA_ARGS__;                    \
     EXPECT_EQ(snapshot(), before_) << #__VA_ARGS__ " changed the state"; \
   } while (false)
 

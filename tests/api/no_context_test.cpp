@@ -65,6 +65,7 @@ TEST_F(NoContextTest, NothingHappensAndTheErrorTells) {
       CALL(rcCopyTexSubImage2D, 1, 1, 1, 1, 1, 1, 1, 1),
       CALL(rcCullFace, 1),
       CALL(rcCurrentPaletteMatrixOES, 1),
+      CALL(rcDebugMessageCallbackRCX, nullptr, nullptr),
       CALL(rcDeleteBuffers, 1, u),
       CALL(rcDeleteMaterials, 1, u),
       CALL(rcDeleteTextures, 1, u),

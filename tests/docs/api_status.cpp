@@ -27,7 +27,8 @@ API, by name: [extensions](extensions/README.md).
 
 - **acts**: changes or reads what is traced. **stored without effect**: checked, kept and returned; pictures do not
   depend on it. **accepted**: any call is fine and does nothing. **beyond**: not part of the vendor's API.
-- Source: *S n.m*: API Specifications; *guide*: Programming Guide or header; *OpenGL ES 1.1, beyond the guide*.
+- Source: *S n.m*: API Specifications; *guide*: Programming Guide or header; *OpenGL ES 1.1, beyond the guide*;
+  *extension of our own*.
 - Errors: IE `RC_INVALID_ENUM`, IV `RC_INVALID_VALUE`, IO `RC_INVALID_OPERATION`, OOM `RC_OUT_OF_MEMORY`, SO
   `RC_STACK_OVERFLOW`, SU `RC_STACK_UNDERFLOW`. Without a current context each call does nothing, and `rcGetError`
   says `RC_INVALID_OPERATION`.
@@ -43,9 +44,10 @@ const char *textOf(Effect effect) {
       ->text;
 }
 
-bool isBeyond(const FunctionRow &row) { return row.source == "GL"; }
+bool isBeyond(const FunctionRow &row) { return row.source == "GL" || row.source == "X"; }
 
 std::string sourceOf(const FunctionRow &row) {
+  if (row.source == "X") return "extension of our own";
   if (isBeyond(row)) return "OpenGL ES 1.1, beyond the guide";
   return row.source == "G" ? "guide" : std::string(row.source);
 }

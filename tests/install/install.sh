@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The raycore authors
 #
-# Installs the built project into a scratch prefix and uses it from there as others do: find_package, pkg-config,
-# RCFramework.a as in the guide's makefiles and its appendix D, and a program with a main of its own.
+# Installs the built project into a scratch prefix, uses it from there (use.sh), and takes it away again.
 set -eu
 build=$1 source=$2 cc=$3 cxx=$4
 scratch=$(mktemp -d)
@@ -13,31 +12,7 @@ cmake --install "$build" --prefix "$prefix" >/dev/null
 libdir=$(dirname "$(find "$prefix" -name libRayCoreAPI.so)")
 export LD_LIBRARY_PATH=$libdir
 unset DISPLAY
-
-expect() {  # program: two frames, a picture, exit code 0
-  RAYCORE_FRAMES=2 RAYCORE_CAPTURE="$scratch/picture.ppm" "$@" 2>/dev/null
-  [ "$(head -c 11 "$scratch/picture.ppm" | tr '\n' ' ')" = "P6 800 480 " ]
-  rm "$scratch/picture.ppm"
-}
-
-# find_package(RayCore)
-cmake -S "$source" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$cc" \
-  -DCMAKE_CXX_COMPILER="$cxx" >/dev/null
-cmake --build "$scratch/consumer" >/dev/null
-expect "$scratch/consumer/framework_program"
-expect "$scratch/consumer/own_main"
-expect "$scratch/consumer/c_program"
-
-# pkg-config
-export PKG_CONFIG_PATH=$libdir/pkgconfig
-read -r -a flags <<<"$(pkg-config --cflags --libs raycore)"
-"$cc" -std=c99 "$source/c_program.c" "${flags[@]}" -o "$scratch/with_pkg_config"
-expect "$scratch/with_pkg_config"
-
-# as in the guide's makefiles
-"$cxx" -o "$scratch/by_hand" "$source/framework_program.cpp" -I"$prefix/include" "$libdir/RCFramework.a" -L"$libdir" \
-  -lstdc++ -lpthread -lm -lX11 -lRayCoreAPI
-expect "$scratch/by_hand"
+bash "$source/use.sh" "$prefix" "$libdir" "$source" "$cc" "$cxx" "$scratch/use"
 
 # the vendor library, where there is one: complete, and nowhere near libglvnd's own folders
 if [ -e "$libdir/libEGL_raycore.so.0" ]; then
@@ -57,18 +32,10 @@ if [ -e "$prefix/bin/raycore" ]; then
   done
 fi
 
-# the line of the guide's appendix D, which names the original's inner libraries
-mkdir "$scratch/appendix_d"
-cd "$scratch/appendix_d"
-cp "$source/own_main.cpp" main.cpp
-ln -s "$libdir/RCFramework.a" .
-"$cxx" main.cpp -I"$prefix/include" -L"$libdir" RCFramework.a -lRayCoreAPI -lRCDDK -lRCHAL -lRCDDIArriaV -lX11 -lpthread
-RAYCORE_FRAMES=1 ./a.out 2>/dev/null
-expect ./a.out
-
-# old programs ask for this name, without a version, and for none of the inner ones
-for program in "$scratch/by_hand" ./a.out; do
-  readelf -d "$program" | grep -q 'NEEDED.*\[libRayCoreAPI.so\]'
-  if readelf -d "$program" | grep 'NEEDED.*\[libRC'; then exit 1; fi
-done
-echo "installed, found and used in six ways"
+# taken away, nothing is left: the target uninstall, on the manifest of this installation
+cmake -DMANIFEST="$build/install_manifest.txt" -P "$source/../../cmake/Uninstall.cmake"
+if [ -e "$prefix" ]; then
+  echo "these are left:"
+  find "$prefix"
+  exit 1
+fi

@@ -1,0 +1,18 @@
+# Removes the files that MANIFEST lists, and folders that are empty then.
+if(NOT EXISTS "${MANIFEST}")
+  message(FATAL_ERROR "${MANIFEST} does not exist: nothing was installed from this build tree")
+endif()
+file(STRINGS "${MANIFEST}" files)
+foreach(file ${files})
+  set(path "$ENV{DESTDIR}${file}")
+  file(REMOVE "${path}")
+  # Upwards while folders are empty.
+  get_filename_component(folder "${path}" DIRECTORY)
+  file(GLOB content "${folder}/*" "${folder}/.*")
+  while(NOT content AND IS_DIRECTORY "${folder}" AND NOT folder MATCHES "^/usr(/local)?(/[^/]+)?$")
+    file(REMOVE_RECURSE "${folder}")
+    get_filename_component(folder "${folder}" DIRECTORY)
+    file(GLOB content "${folder}/*" "${folder}/.*")
+  endwhile()
+endforeach()
+file(REMOVE "${MANIFEST}")
