@@ -68,7 +68,7 @@ constexpr RayValue kRayValues[] = {
 // Rays go through pixels of the viewport, which may lie anywhere in the picture.
 void readRays(Context &context, const hal::PixelRect &part, const RayValue &value, RCfloat *values) {
   if (part.columns < 0 || part.rows < 0) {
-    return context.fail(RC_INVALID_VALUE, "size %d x %d is negative", part.columns, part.rows);
+    return context.fail(RC_INVALID_VALUE, "width x height is %d x %d, not 0 or more", part.columns, part.rows);
   }
   if (!context.picture().pixels) return context.fail(RC_INVALID_OPERATION, "there is no surface to look through");
   if (!values) return;
@@ -132,7 +132,7 @@ void rcReadRaysRCX(RCint x, RCint y, RCsizei width, RCsizei height, RCenum pname
     for (const RayValue &row : kRayValues) {
       if (row.pname == pname) return readRays(context, {x, y, width, height}, row, values);
     }
-    context.fail(RC_INVALID_ENUM, "0x%04X is nothing that a ray tells", pname);
+    context.fail(RC_INVALID_ENUM, "pname 0x%04X is nothing that a ray tells", pname);
   });
 }
 
