@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-HWY_INLINE F log2Of(F x) {
+RC_STEP F log2Of(F x) {
   using namespace hal::elementary;
   const ITag di;
   const I half = hn::Set(di, int32_t{kHalfSquare});
@@ -28,7 +28,7 @@ HWY_INLINE F log2Of(F x) {
   return select(hn::Ge(x, all(kSmallest)), hn::Add(exponent, hn::Mul(s, series)), all(-kInfinity));
 }
 
-HWY_INLINE F exp2Of(F x) {
+RC_STEP F exp2Of(F x) {
   using namespace hal::elementary;
   const ITag di;
   const M counts = hn::Ge(x, all(-126));
@@ -40,7 +40,7 @@ HWY_INLINE F exp2Of(F x) {
   return onlyWhere(counts, hn::Mul(series, hn::BitCast(FTag(), power)));
 }
 
-HWY_INLINE F powOf(F base, F exponent) {
+RC_STEP F powOf(F base, F exponent) {
   return select(hn::Gt(exponent, zero()), exp2Of(hn::Mul(exponent, log2Of(base))), all(1));
 }
 

@@ -13,6 +13,14 @@
 #include "rcddi/cpu/kernels/vectors-inl.h"
 #include "rchal/queues.h"
 
+// Instrumented, one function of everything keeps compilers busy for minutes: with sanitizers the steps stay functions.
+#undef RC_STEP
+#ifdef RAYCORE_FEW_TARGETS
+#define RC_STEP HWY_NOINLINE inline
+#else
+#define RC_STEP HWY_INLINE
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
@@ -58,11 +66,11 @@ HWY_INLINE V3 cross(const V3 &a, const V3 &b) {
 }
 HWY_INLINE F length(const V3 &v) { return hn::Sqrt(dot(v, v)); }
 HWY_INLINE F maxComponent(const V3 &v) { return hn::Max(v.x, hn::Max(v.y, v.z)); }
-HWY_INLINE V3 normalizedOr(const V3 &v, F length, const V3 &fallback) {
+RC_STEP V3 normalizedOr(const V3 &v, F length, const V3 &fallback) {
   const M usable = hn::And(hn::Gt(length, zero()), hn::Lt(length, all(kInfinity)));
   return select(usable, V3{hn::Div(v.x, length), hn::Div(v.y, length), hn::Div(v.z, length)}, fallback);
 }
-HWY_INLINE V3 normalizedOr(const V3 &v, const V3 &fallback) { return normalizedOr(v, length(v), fallback); }
+RC_STEP V3 normalizedOr(const V3 &v, const V3 &fallback) { return normalizedOr(v, length(v), fallback); }
 
 // The items of a column from `first` on. Columns have room for a vector behind their end.
 HWY_INLINE F load(const hal::Column<float> &column, size_t first) { return hn::LoadU(FTag(), column.data() + first); }
@@ -91,7 +99,7 @@ HWY_INLINE hn::Vec<D> loadEveryFourth(D d, const float *const *places, size_t of
 
 // Four floats that lie beside each other, for each lane from its own place. `offset` in floats. Loads and shuffles:
 // gathers take several times as long on most machines.
-HWY_INLINE void loadRow(const float *const (&places)[kMostLanes], size_t offset, F *out) {
+RC_STEP void loadRow(const float *const (&places)[kMostLanes], size_t offset, F *out) {
 #if HWY_TARGET == HWY_SCALAR
   for (size_t k = 0; k < 4; ++k) out[k] = all(places[0][offset + k]);
 #else
@@ -125,7 +133,7 @@ HWY_INLINE void append(const V3 &value, M mask, size_t end, hal::Vec3Column &col
 
 // Adds to the sums of pixels. Mostly the pixels of a vector follow each other; else lane by lane, since several rays
 // may belong to one pixel.
-HWY_INLINE void addToPixels(const V3 &colour, M mask, U pixel, const hal::PixelSums &sums) {
+RC_STEP void addToPixels(const V3 &colour, M mask, U pixel, const hal::PixelSums &sums) {
   const FTag d;
   const UTag du;
   const V3 counted = onlyWhere(mask, colour);

@@ -23,7 +23,7 @@ struct ColourLanes {
   V3 weight;
 };
 
-HWY_INLINE F spotFactor(const hal::LightRow &light, const V3 &direction) {
+RC_STEP F spotFactor(const hal::LightRow &light, const V3 &direction) {
   if (!light.spot) return all(1);
   const F cosine = dot(-direction, all(light.spotDirection));
   const F s = hn::Div(hn::Sub(cosine, all(light.cosOuter)), all(light.cosInner - light.cosOuter));
@@ -33,7 +33,7 @@ HWY_INLINE F spotFactor(const hal::LightRow &light, const V3 &direction) {
   return onlyWhere(hn::Ge(cosine, all(light.cosOuter)), factor);
 }
 
-HWY_INLINE F attenuation(const hal::LightRow &light, F distance) {
+RC_STEP F attenuation(const hal::LightRow &light, F distance) {
   if (light.directional) return all(1);
   const F polynomial = hn::Add(all(light.linear), hn::Mul(distance, all(light.quadratic)));
   const F divisor = hn::Add(all(light.constant), hn::Mul(distance, polynomial));
@@ -50,8 +50,8 @@ HWY_INLINE V3 directionOf(const V3 &towards, F distance, const V3 &fallback) {
 
 HWY_INLINE bool isDark(const Rgb &colour) { return !(rc::maxComponent(colour) > 0); }
 
-HWY_INLINE size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour,
-                                 U pixel, M asked, hal::ShadowQueue &queue) {
+RC_STEP size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour, U pixel,
+                              M asked, hal::ShadowQueue &queue) {
   const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
   append(start(surface, direction), asked, end, queue.origin);
   append(direction, asked, end, queue.direction);
@@ -63,9 +63,9 @@ HWY_INLINE size_t pushShadowRays(const SurfaceLanes &surface, const V3 &directio
 }
 
 // Adds the light to `own` where no shadow can be; asks its queue elsewhere. Returns how many shadow rays that made.
-HWY_INLINE size_t addLight(const hal::LightRow &light, bool shadows, const hal::MaterialRow &material,
-                           const SurfaceLanes &surface, const V3 &view, const ColourLanes &colours, M shaded, U pixel,
-                           hal::ShadowQueue &queue, V3 &own) {
+RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::MaterialRow &material,
+                        const SurfaceLanes &surface, const V3 &view, const ColourLanes &colours, M shaded, U pixel,
+                        hal::ShadowQueue &queue, V3 &own) {
   const V3 towards = light.directional ? all(light.position) : all(light.position) - surface.position;
   const F distance = light.directional ? all(kInfinity) : length(towards);
   const V3 direction = light.directional ? towards : directionOf(towards, distance, surface.normal);

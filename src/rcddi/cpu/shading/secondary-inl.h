@@ -16,8 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 // A ray for each lane of the mask; the queue has room for a vector. Returns how many.
-HWY_INLINE size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight, F coneWidth, F coneSpread,
-                           F travelled, F tolerance, U pixel, M asked, hal::RayQueue &queue) {
+RC_STEP size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight, F coneWidth, F coneSpread, F travelled,
+                        F tolerance, U pixel, M asked, hal::RayQueue &queue) {
   const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
   append(origin, asked, end, queue.origin);
   append(direction, asked, end, queue.direction);
@@ -35,8 +35,8 @@ HWY_INLINE size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weig
 }
 
 // The same rays, for what lies behind these hits. weight: what is left for them.
-HWY_INLINE void goStraightOn(const Shading &shading, const RayLanes &rays, const V3 &weight, F tolerance, M seen,
-                             M asked) {
+RC_STEP void goStraightOn(const Shading &shading, const RayLanes &rays, const V3 &weight, F tolerance, M seen,
+                          M asked) {
   const hal::RayQueue &from = shading.rays;
   hal::RayQueue &queue = shading.out.sameBounce;
   const size_t end = queue.size();
@@ -66,7 +66,7 @@ class Secondary {
         mTravelled(hn::Add(load(shading.rays.travelled, rays.first), rays.t)),
         mCurvature(shading.cones ? curvature(surface, asked) : zero()) {}
 
-  HWY_INLINE void reflect(const V3 &weight, M asked) const {
+  RC_STEP void reflect(const V3 &weight, M asked) const {
     const M traced = worthTracing(mShading.scene, weight, mTolerance, asked);
     if (none(traced)) return;
     const V3 &d = mRays.direction;
@@ -79,7 +79,7 @@ class Secondary {
   }
 
   // eta: index before / index behind; root: the square root of Snell's law.
-  HWY_INLINE void refract(const V3 &weight, F eta, F cosine, F root, M asked) const {
+  RC_STEP void refract(const V3 &weight, F eta, F cosine, F root, M asked) const {
     const M traced = worthTracing(mShading.scene, weight, mTolerance, asked);
     if (none(traced)) return;
     V3 bent = eta * mRays.direction + hn::Sub(hn::Mul(eta, cosine), root) * mSurface.normal;
@@ -104,8 +104,8 @@ class Secondary {
 };
 
 // weight: of what arrives at the surface.
-HWY_INLINE void reflectAndRefract(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
-                                  const SurfaceLanes &surface, const V3 &weight, F tolerance, M shaded) {
+RC_STEP void reflectAndRefract(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
+                               const SurfaceLanes &surface, const V3 &weight, F tolerance, M shaded) {
   const bool mirrors = rc::maxComponent(material.reflection) > 0, bends = rc::maxComponent(material.transmittance) > 0;
   if (!mirrors && !bends) return;
   const Secondary secondary(shading, rays, surface, tolerance, shaded);

@@ -11,6 +11,8 @@
 #define RAYCORE_SHADING_SHADE_INL
 #endif
 
+#include "rcddi/cpu/shading/coverage-inl.h"
+#include "rcddi/cpu/shading/fog-inl.h"
 #include "rcddi/cpu/shading/lighting-inl.h"
 #include "rcddi/cpu/shading/secondary-inl.h"
 #include "rcddi/cpu/shading/texture-inl.h"
@@ -29,7 +31,7 @@ struct Kind {
 };
 
 // The kind of one lane, and all lanes of `open` that are of it.
-HWY_INLINE Kind kindOf(const Shading &shading, const SurfaceLanes &surface, M open) {
+RC_STEP Kind kindOf(const Shading &shading, const SurfaceLanes &surface, M open) {
   alignas(64) uint32_t materials[kMostLanes], flags[kMostLanes], sets[kMostLanes];
   const UTag du;
   hn::Store(surface.material, du, materials);
@@ -45,73 +47,8 @@ HWY_INLINE Kind kindOf(const Shading &shading, const SurfaceLanes &surface, M op
           flags[lane]};
 }
 
-HWY_INLINE F fogTransmission(const hal::Fog &fog, F distance) {
-  const F density = hn::Mul(all(fog.density), distance);
-  switch (fog.mode) {
-    case hal::FogMode::Off:
-      break;
-    case hal::FogMode::Linear: {
-      if (fog.start == fog.end) return onlyWhere(hn::Lt(distance, all(fog.end)), all(1));
-      const F left = hn::Div(hn::Sub(all(fog.end), distance), all(fog.end - fog.start));
-      return hn::Min(hn::Max(left, zero()), all(1));
-    }
-    case hal::FogMode::Exp:
-      return exp2Of(hn::Mul(all(-hal::kLog2E), density));
-    case hal::FogMode::Exp2:
-      return exp2Of(hn::Mul(all(-hal::kLog2E), hn::Mul(density, density)));
-  }
-  return all(1);
-}
-
-// units/fog.h: takes the rays to their hits.
-HWY_INLINE void passFog(const Shading &shading, RayLanes &rays, M straight) {
-  const hal::Fog &fog = shading.scene.fog;
-  const F travelled = load(shading.rays.travelled, rays.first);
-  const F afterT = load(shading.rays.afterT, rays.first);
-  const F before = hn::Max(hn::Add(travelled, afterT), zero()), behind = hn::Max(hn::Add(travelled, rays.t), zero());
-  const M later = shading.out.bounces == 0 ? straight : rays.found;
-  const F atStart = select(later, fogTransmission(fog, before), all(1));
-  const F share = hn::Min(hn::Div(fogTransmission(fog, behind), atStart), all(1));
-  const F left = onlyWhere(hn::Gt(atStart, zero()), share);
-  addToPixels((hn::Sub(all(1), left) * rays.weight) * all(fog.color), rays.found, rays.pixel, shading.out.sums);
-  rays.weight = left * rays.weight;
-}
-
-HWY_INLINE F passesAlphaTest(uint32_t flags, F opacity) {
-  const uint32_t code = (flags & hal::kAlphaTestMask) >> hal::kAlphaTestShift;
-  if (code == 0) return all(1);
-  if (code == hal::kAlphaNever) return zero();
-  const F level = hn::Floor(hn::Add(hn::Mul(opacity, all(255)), all(0.5f)));
-  const F reference = all(static_cast<float>(flags >> hal::kAlphaReferenceShift & 255));
-  F passes = zero();
-  if (code & hal::kAlphaLess) passes = select(hn::Lt(level, reference), all(1), passes);
-  if (code & hal::kAlphaEqual) passes = select(hn::Eq(level, reference), all(1), passes);
-  if (code & hal::kAlphaGreater) passes = select(hn::Gt(level, reference), all(1), passes);
-  return passes;
-}
-
-// units/coverage.h. opacity: of the texels.
-HWY_INLINE F coverage(uint32_t flags, const SurfaceLanes &surface, F opacity) {
-  F there = hn::Mul(opacity, passesAlphaTest(flags, opacity));
-  if (flags & hal::kCullFront) there = select(surface.front, zero(), there);
-  if (flags & hal::kCullBack) there = onlyWhere(surface.front, there);
-  return there;
-}
-
-// A surface whose other triangle was seen already, at the common edge, is not seen again.
-HWY_NOINLINE inline F withoutSeen(const Shading &shading, size_t first, uint32_t lanesAsked, F there) {
-  alignas(64) float lanesThere[kMostLanes];
-  hn::Store(there, FTag(), lanesThere);
-  while (lanesAsked) {
-    const size_t lane = nextBit(lanesAsked), at = first + lane;
-    if (!shading.rays.afterSeen[at]) continue;
-    if (hal::isSameSurface(shading.scene, shading.rays.after(at), shading.hits[at])) lanesThere[lane] = 0;
-  }
-  return hn::Load(FTag(), lanesThere);
-}
-
 // What a texel makes of a colour of the material. [OpenGL ES 1.1, 3.7.12]
-HWY_INLINE V3 textured(const hal::MaterialRow &material, const Rgb &colour, const TexelLanes &texel, F alpha) {
+RC_STEP V3 textured(const hal::MaterialRow &material, const Rgb &colour, const TexelLanes &texel, F alpha) {
   const V3 plain = all(colour);
   switch (material.textureEnv) {
     case hal::TextureEnv::Replace:
@@ -133,7 +70,7 @@ HWY_INLINE V3 textured(const hal::MaterialRow &material, const Rgb &colour, cons
   return texel.rgb;
 }
 
-HWY_INLINE V3 bentNormals(const Shading &shading, const Kind &kind, const RayLanes &rays, const SurfaceLanes &surface) {
+RC_STEP V3 bentNormals(const Shading &shading, const Kind &kind, const RayLanes &rays, const SurfaceLanes &surface) {
   const TexelLanes texel =
       sample(shading.scene, rays, surface, kind.lanes, kind.material->normalMap, kind.material->normalWrap);
   const V3 local = all(2) * texel.rgb - all(Vec3(1));
@@ -145,8 +82,8 @@ HWY_INLINE V3 bentNormals(const Shading &shading, const Kind &kind, const RayLan
 }
 
 // The surface's own colour: what it sends out, and what the lights make of it.
-HWY_INLINE void shadeLocal(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
-                           const SurfaceLanes &surface, const ColourLanes &colours, M shaded) {
+RC_STEP void shadeLocal(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
+                        const SurfaceLanes &surface, const ColourLanes &colours, M shaded) {
   const hal::SceneView &scene = shading.scene;
   const M local = hn::And(shaded, hn::Gt(maxComponent(colours.weight), zero()));
   if (none(local)) return;
@@ -159,9 +96,8 @@ HWY_INLINE void shadeLocal(const Shading &shading, const hal::MaterialRow &mater
   addToPixels(own, local, rays.pixel, shading.out.sums);
 }
 
-HWY_INLINE void shadeSurface(const Shading &shading, const Kind &kind, const RayLanes &rays,
-                             const SurfaceLanes &surface, const TexelLanes &texel, const V3 &weight, F tolerance,
-                             M shaded) {
+RC_STEP void shadeSurface(const Shading &shading, const Kind &kind, const RayLanes &rays, const SurfaceLanes &surface,
+                          const TexelLanes &texel, const V3 &weight, F tolerance, M shaded) {
   const hal::MaterialRow &material = *kind.material;
   if (kind.hasTexture() && kind.flags & hal::kTextureOnly) {
     return addToPixels(weight * texel.rgb, shaded, rays.pixel, shading.out.sums);
@@ -182,8 +118,8 @@ HWY_INLINE void shadeSurface(const Shading &shading, const Kind &kind, const Ray
 }
 
 // The lanes of one kind. straight: rays that went on behind an earlier hit.
-HWY_INLINE void shadeKind(const Shading &shading, const Kind &kind, const RayLanes &rays, SurfaceLanes &surface,
-                          M straight) {
+RC_STEP void shadeKind(const Shading &shading, const Kind &kind, const RayLanes &rays, SurfaceLanes &surface,
+                       M straight) {
   const hal::MaterialRow &material = *kind.material;
   TexelLanes texel;
   F there = all(1);
@@ -212,7 +148,7 @@ HWY_INLINE void shadeKind(const Shading &shading, const Kind &kind, const RayLan
 }
 
 // One vector of rays.
-HWY_INLINE void shadeVector(const Shading &shading, size_t first) {
+RC_STEP void shadeVector(const Shading &shading, size_t first) {
   const M valid = hn::FirstN(FTag(), std::min(lanes(), shading.rays.size() - first));
   RayLanes rays = loadRays(shading, first, valid);
   const M missed = hn::AndNot(rays.found, valid);

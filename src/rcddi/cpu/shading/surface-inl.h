@@ -74,7 +74,7 @@ HWY_INLINE V3 start(const SurfaceLanes &surface, const V3 &direction) {
 }
 
 // Lanes behind the end of the queue count as rays without a hit.
-HWY_INLINE RayLanes loadRays(const Shading &shading, size_t first, M valid) {
+RC_STEP RayLanes loadRays(const Shading &shading, size_t first, M valid) {
   RayLanes out;
   const hal::RayQueue &rays = shading.rays;
   F primitive;
@@ -96,7 +96,7 @@ HWY_INLINE RayLanes loadRays(const Shading &shading, size_t first, M valid) {
 }
 
 // found: not empty.
-HWY_INLINE void findTriangles(const hal::SceneView &scene, const RayLanes &rays, TrianglePlaces &out) {
+RC_STEP void findTriangles(const hal::SceneView &scene, const RayLanes &rays, TrianglePlaces &out) {
   alignas(64) uint32_t primitives[kMostLanes];
   uint32_t bits = bitsOf(FTag(), rays.found);
   const size_t someLane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
@@ -116,13 +116,13 @@ HWY_INLINE void findTriangles(const hal::SceneView &scene, const RayLanes &rays,
   }
 }
 
-HWY_INLINE void loadRow(const float *const (&places)[kMostLanes], bool one, size_t offset, F *out) {
+RC_STEP void loadRow(const float *const (&places)[kMostLanes], bool one, size_t offset, F *out) {
   if (!one) return loadRow(places, offset, out);
   for (size_t k = 0; k < 4; ++k) out[k] = all(places[0][offset + k]);
 }
 
-HWY_INLINE void loadTriangles(const Shading &shading, const RayLanes &rays, const TrianglePlaces &places,
-                              SurfaceLanes &out) {
+RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const TrianglePlaces &places,
+                           SurfaceLanes &out) {
   F row[12];
   for (size_t offset = 0; offset < 12; offset += 4) loadRow(places.triangle, places.one, offset, row + offset);
   for (size_t k = 0; k < 3; ++k) out.vertices[k] = {row[3 * k], row[3 * k + 1], row[3 * k + 2]};
@@ -166,7 +166,7 @@ HWY_INLINE F interpolated(const CornerValues &values, F w0, F w1, F w2) {
   return hn::Add(hn::Add(hn::Mul(w0, values.a), hn::Mul(w1, values.b)), hn::Mul(w2, values.c));
 }
 
-HWY_INLINE void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceLanes &out) {
+RC_STEP void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceLanes &out) {
 #if HWY_TARGET == HWY_SCALAR  // one lane: GCC cannot see that nothing is read which was not set
   out = {};
 #endif
@@ -200,7 +200,7 @@ HWY_INLINE void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceL
   }
 }
 
-HWY_INLINE F curvature(const SurfaceLanes &surface, M asked) {
+RC_STEP F curvature(const SurfaceLanes &surface, M asked) {
   const M smooth = hn::And(asked, hasFlag(surface.flags, hal::kHasNormals));
   if (none(smooth)) return zero();
   F sum = zero();

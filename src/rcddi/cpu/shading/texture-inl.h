@@ -34,12 +34,12 @@ HWY_INLINE F channel(U texels) {
   const U byte = hn::And(hn::ShiftRight<kShift>(texels), hn::Set(UTag(), 255));
   return hn::Mul(hn::ConvertTo(FTag(), hn::BitCast(ITag(), byte)), all(1.0f / 255));
 }
-HWY_INLINE TexelLanes unpackTexels(U texels) {
+RC_STEP TexelLanes unpackTexels(U texels) {
   return {{channel<0>(texels), channel<8>(texels), channel<16>(texels)}, channel<24>(texels)};
 }
 
 // size: powers of two.
-HWY_INLINE I wrapIndex(I i, I size, hal::Wrap wrap) {
+RC_STEP I wrapIndex(I i, I size, hal::Wrap wrap) {
   const ITag di;
   const I one = hn::Set(di, 1);
   if (wrap == hal::Wrap::Repeat) return hn::And(i, hn::Sub(size, one));
@@ -54,7 +54,7 @@ HWY_INLINE F texelPosition(F coordinate, I size) {
 }
 
 // One level of the texture for all lanes.
-HWY_INLINE TexelLanes sampleBilinear(const hal::TextureView &texture, int level, F s, F t, hal::Wraps wraps) {
+RC_STEP TexelLanes sampleBilinear(const hal::TextureView &texture, int level, F s, F t, hal::Wraps wraps) {
   const ITag di;
   const I width = hn::Set(di, std::max(texture.width >> level, 1)), one = hn::Set(di, 1);
   const I height = hn::Set(di, std::max(texture.height >> level, 1));
@@ -73,7 +73,7 @@ HWY_INLINE TexelLanes sampleBilinear(const hal::TextureView &texture, int level,
 }
 
 // Lanes may read different levels: neighbours rarely need more than two.
-HWY_INLINE TexelLanes sampleLevels(const hal::TextureView &texture, I levels, M valid, F s, F t, hal::Wraps wraps) {
+RC_STEP TexelLanes sampleLevels(const hal::TextureView &texture, I levels, M valid, F s, F t, hal::Wraps wraps) {
   const ITag di;
   alignas(64) int32_t level[16];
   hn::Store(levels, di, level);
@@ -88,7 +88,7 @@ HWY_INLINE TexelLanes sampleLevels(const hal::TextureView &texture, I levels, M 
   return out;
 }
 
-HWY_INLINE TexelLanes sampleTexture(const hal::TextureView &texture, F lod, M valid, F s, F t, hal::Wraps wraps) {
+RC_STEP TexelLanes sampleTexture(const hal::TextureView &texture, F lod, M valid, F s, F t, hal::Wraps wraps) {
   if (texture.levelCount == 1) return sampleBilinear(texture, 0, s, t, wraps);
   const ITag di;
   const int last = texture.levelCount - 1;
@@ -103,7 +103,7 @@ HWY_INLINE TexelLanes sampleTexture(const hal::TextureView &texture, F lod, M va
 }
 
 // The level of detail of a texture where the rays' cones meet the surface.
-HWY_INLINE F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, const hal::TextureView &texture) {
+RC_STEP F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, const hal::TextureView &texture) {
   const CornerValues s = cornerCoordinates(surface.attributes, 0), t = cornerCoordinates(surface.attributes, 1);
   const F duX = hn::Sub(s.b, s.a), duY = hn::Sub(t.b, t.a), dvX = hn::Sub(s.c, s.a), dvY = hn::Sub(t.c, t.a);
   const F area = hn::Abs(hn::Sub(hn::Mul(duX, dvY), hn::Mul(dvX, duY)));
@@ -113,8 +113,8 @@ HWY_INLINE F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, co
   return hn::Add(hn::Mul(all(0.5f), log2Of(hn::Div(texelArea, surface.attributes.floats[kPlaneOffset + 3]))), facing);
 }
 
-HWY_INLINE TexelLanes sample(const hal::SceneView &scene, const RayLanes &rays, const SurfaceLanes &surface, M asked,
-                             int32_t name, hal::Wraps wraps) {
+RC_STEP TexelLanes sample(const hal::SceneView &scene, const RayLanes &rays, const SurfaceLanes &surface, M asked,
+                          int32_t name, hal::Wraps wraps) {
   const hal::TextureView &texture = scene.textures[size_t(name)];
   F lod = zero();
   if (scene.mipmaps && texture.levelCount > 1) lod = levelOfDetail(rays, surface, texture);
