@@ -2,21 +2,29 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // What every text of an error must say. EXPECT_RAISES asks for it at each error of each function.
-#include <regex>
+#include <cctype>
 
 #include "api/context_fixture.h"
 #include "api/functions.h"
 #include "api/tokens.h"
+#include "common/expressions.h"
 
 namespace rc::test {
 namespace {
 
-// Names of parameters out of "(RCenum light, const RCfloat *params)".
+bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// Names of parameters out of "(RCenum light, const RCfloat *params)": the last word before each comma and the end.
 std::vector<std::string> parameterNames(std::string_view parameters) {
-  static const std::regex kName("([A-Za-z_0-9]+)(\\[[0-9]+\\])?[,)]");
-  const std::string text(parameters);
   std::vector<std::string> names;
-  for (std::sregex_iterator at(text.begin(), text.end(), kName), end; at != end; ++at) names.push_back((*at)[1]);
+  for (size_t end = parameters.find_first_of(",)"); end != std::string_view::npos;
+       end = parameters.find_first_of(",)", end + 1)) {
+    size_t last = end;
+    while (last > 0 && parameters[last - 1] == ']') last = parameters.rfind('[', last - 1);  // an array's length
+    size_t first = last;
+    while (first > 0 && isOfName(parameters[first - 1])) --first;
+    if (first < last) names.emplace_back(parameters.substr(first, last - first));
+  }
   return names;
 }
 
@@ -24,7 +32,7 @@ std::vector<std::string> parameterNames(std::string_view parameters) {
 bool namesOne(const std::string &reason, const std::vector<std::string> &names) {
   return std::any_of(names.begin(), names.end(), [&](const std::string &name) {
     const std::string one = name == "env" ? "target" : name == "params" ? "param" : name;
-    return std::regex_search(reason, std::regex("\\b" + one + "s?[ ,]"));
+    return matches(reason, "(^|[^A-Za-z0-9_])" + one + "s?[ ,]");
   });
 }
 
