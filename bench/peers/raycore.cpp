@@ -93,7 +93,7 @@ class RaycoreBuilder : public Builder {
 class RaycoreRefit final : public RaycoreBuilder {
  public:
   RaycoreRefit(const Soup &soup, int threads)
-      : RaycoreBuilder(soup, AccelKind::Bvh, ddk::Lifetime::Scene, "raycore bvh refit", "refit", threads) {
+      : RaycoreBuilder(soup, AccelKind::Bvh, ddk::Lifetime::Frame, "raycore bvh refit", "refit", threads) {
     RaycoreBuilder::build();
   }
   void build() override {

@@ -43,7 +43,7 @@ Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const W
     if (lifetime == Lifetime::Frame && triangles.size() > kFewTriangles) {
       buildMorton(triangles, workers, accel);
     } else {
-      workers.run([&] { buildBvh(triangles, accel); });
+      workers.run([&] { buildBvh(triangles, lifetime, accel); });
     }
   }
   if (kind == AccelKind::Bvh) accel.builtCost = costOf(accel);

@@ -46,7 +46,7 @@ double costOf(const Accel &accel);
 
 // One for each kind, and one for a frame's BVH; buildAccel chooses.
 void buildKdTree(std::span<const hal::HotTriangle> triangles, Accel &accel);
-void buildBvh(std::span<const hal::HotTriangle> triangles, Accel &accel);
+void buildBvh(std::span<const hal::HotTriangle> triangles, Lifetime lifetime, Accel &accel);
 void buildMorton(std::span<const hal::HotTriangle> triangles, const Workers &workers, Accel &accel);
 
 // A triangle, or the part of it that lies in a cell, on its way through a builder.

@@ -27,8 +27,13 @@ namespace rc::ddk {
 
 HWY_EXPORT(buildPieces);
 
-void buildBvh(std::span<const hal::HotTriangle> triangles, Accel &accel) {
+// Parts of triangles that a tree may hold beyond one reference for each.
+constexpr double kMostParts = 0.3;
+
+void buildBvh(std::span<const hal::HotTriangle> triangles, Lifetime lifetime, Accel &accel) {
   std::vector<BuildReference> references = makeBuildReferences(triangles, accel.bounds);
+  const double room = lifetime == Lifetime::Scene ? kMostParts : 0;
+  references.resize(triangles.size() + static_cast<size_t>(room * static_cast<double>(triangles.size())));
   BvhPieces pieces;
   HWY_DYNAMIC_DISPATCH(buildPieces)(references, triangles, accel.bounds, pieces);
   accel.bvhNodes = std::move(pieces.nodes);

@@ -4,7 +4,7 @@
 // bvh_build-inl.h: triangles to a BVH of eight children a node, top down by the binned surface area heuristic.
 // Wald: "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007; a node's largest child is split until
 // it has eight (Wald, Benthin, Boulos: "Getting Rid of Packets", RT 2008). Compiled for each instruction set; no
-// operation is fused, so that all of them build the same tree.
+// operation is fused, so that all of them build the same tree. Trees that live long cut triangles where that pays.
 #if defined(RAYCORE_BVH_BUILD_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_BVH_BUILD_INL
 #undef RAYCORE_BVH_BUILD_INL
@@ -12,129 +12,34 @@
 #define RAYCORE_BVH_BUILD_INL
 #endif
 
-#include <hwy/highway.h>
-
-#include "rcddk/accel/bvh_parts.h"
+#include "rcddk/accel/bvh_spatial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddk::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D4 = hn::CappedTag<float, 4>;
-using D8 = hn::CappedTag<float, 8>;
-
-// A box as eight columns: -lower, 0, upper, 0. So one maximum adds a box to another.
-struct alignas(32) Box8 {
-  float v[8] = {-kInfinity, -kInfinity, -kInfinity, 0, -kInfinity, -kInfinity, -kInfinity, 0};
-
-  HWY_INLINE void add(const float *other) {
-    const D8 d;
-    for (size_t i = 0; i < 8; i += hn::Lanes(d)) {
-      hn::Store(hn::Max(hn::Load(d, v + i), hn::Load(d, other + i)), d, v + i);
-    }
-  }
-
-  Bounds bounds() const { return {{-v[0], -v[1], -v[2]}, {v[4], v[5], v[6]}}; }
-  float size(size_t axis) const { return v[axis] + v[4 + axis]; }
-  float halfArea() const { return size(0) * (size(1) + size(2)) + size(1) * size(2); }
-};
-
-// References [begin, end), and what is known of them.
-struct Range {
-  size_t begin, end;
-  Box8 box, centres;  // centres: of doubled ones, lower + upper
-
-  size_t count() const { return end - begin; }
-};
-
-constexpr size_t kMostBins = 16;
-
-// lower + upper of one axis.
-HWY_INLINE float doubledCentre(const BuildReference &reference, size_t axis) {
-  return reference.box[4 + axis] - reference.box[axis];
-}
-
-// Maps doubled centres to bins. Few references get few bins: finding the best of many costs more than it saves.
-struct Binning {
-  size_t count;
-  float origin[3], scale[3];
-
-  explicit Binning(const Range &range) : count(std::min(kMostBins, 4 + range.count() / 16)) {
-    for (size_t axis = 0; axis < 3; ++axis) {
-      const float size = range.centres.size(axis);
-      origin[axis] = -range.centres.v[axis];
-      scale[axis] = size > 0 ? static_cast<float>(count) * 0.9999f / size : 0;
-    }
-  }
-  HWY_INLINE size_t binOf(const BuildReference &reference, size_t axis) const {
-    const auto bin = static_cast<int32_t>((doubledCentre(reference, axis) - origin[axis]) * scale[axis]);
-    return std::min(static_cast<size_t>(std::max(bin, 0)), count - 1);
-  }
-};
-
-struct Bins {
-  Box8 boxes[3][kMostBins];
-  uint32_t counts[3][kMostBins] = {};
-};
-
-struct Split {
-  size_t axis = 3, bin = 0;  // bins below go left; axis 3: none
-  float cost = kInfinity;
-};
-
-HWY_INLINE void fill(std::span<const BuildReference> references, const Binning &binning, Bins &bins) {
-  for (const BuildReference &reference : references) {
-    for (size_t axis = 0; axis < 3; ++axis) {
-      const size_t bin = binning.binOf(reference, axis);
-      bins.boxes[axis][bin].add(reference.box);
-      ++bins.counts[axis][bin];
-    }
-  }
-}
-
-// What a range costs beyond its area: the blocks that its triangles fill.
-inline float blocksOf(uint32_t count) {
-  return static_cast<float>((count + hal::TriangleBlock4::kWidth - 1) / hal::TriangleBlock4::kWidth);
-}
-
-HWY_INLINE void evaluate(const Bins &bins, size_t axis, size_t count, Split &best) {
-  float rightCost[kMostBins];
-  Box8 box;
-  uint32_t n = 0;
-  for (size_t i = count - 1; i > 0; --i) {
-    box.add(bins.boxes[axis][i].v);
-    n += bins.counts[axis][i];
-    rightCost[i] = n ? box.halfArea() * blocksOf(n) : kInfinity;
-  }
-  box = {};
-  n = 0;
-  for (size_t i = 1; i < count; ++i) {
-    box.add(bins.boxes[axis][i - 1].v);
-    n += bins.counts[axis][i - 1];
-    if (n == 0) continue;
-    const float cost = box.halfArea() * blocksOf(n) + rightCost[i];
-    if (cost < best.cost) best.axis = axis, best.bin = i, best.cost = cost;
-  }
-}
-
 class Builder {
  public:
+  // The first `count` references; what room there is behind them is for parts of triangles.
   Builder(std::span<BuildReference> references, std::span<const hal::HotTriangle> triangles)
       : mReferences(references), mTriangles(triangles) {}
 
   void build(const Bounds &all, BvhPieces &out) {
-    Range range{0, mReferences.size(), {}, {}};
+    Range range{0, mTriangles.size(), mReferences.size(), {}, {}};
     for (size_t axis = 0; axis < 3; ++axis) {
       range.box.v[axis] = -all.lower[axis];
       range.box.v[4 + axis] = all.upper[axis];
     }
     range.centres = centresOf(range);
+    mLeastOverlap = range.box.halfArea() * kOverlapOfScene;
     out.reserve(mReferences.size());
     node(range, 0, out);
   }
 
  private:
   static constexpr uint32_t kWidth = hal::BvhNode8::kWidth;
+  // Smaller overlaps of halves cost rays less than looking for planes costs: shares of the surface of the scene, and of
+  // the range. Measured with bench/build and bench/trace: meshes, which gain nothing, look for planes at the top alone.
+  static constexpr float kOverlapOfScene = 0.01f, kOverlapOfRange = 0.3f;
   static constexpr int kBalancedDepth = 24;  // from here on halves, so that no path gets too long
 
   Box8 centresOf(const Range &range) const {
@@ -220,9 +125,43 @@ class Builder {
       }
     }
     if (best.axis == 3) return halve(range, left, right);
-    left = right = Range{range.begin, range.end, {}, {}};
+    left = right = Range{range.begin, range.end, range.limit, {}, {}};
     for (size_t i = 0; i < binning.count; ++i) (i < best.bin ? left : right).box.add(bins.boxes[best.axis][i].v);
+    const float least = std::max(mLeastOverlap, range.box.halfArea() * kOverlapOfRange);
+    const bool overlap = range.limit > range.end && left.box.overlap(right.box) > least;
+    if (overlap && cutApart(range, best.cost, left, right)) return;
     left.end = right.begin = partition(range, binning, best, left.centres, right.centres);
+    share(left, right);
+  }
+
+  // Shares out the room behind the right half, by their numbers of references.
+  void share(Range &left, Range &right) {
+    const size_t room = right.limit - right.end, count = left.count() + right.count();
+    const size_t shift = room * left.count() / count;
+    left.limit = left.end + shift;
+    if (shift == 0) return;
+    const size_t moved = std::min(shift, right.count());
+    std::copy_n(&mReferences[right.begin], moved, &mReferences[right.end + shift - moved]);
+    right.begin += shift;
+    right.end += shift;
+  }
+
+  // Divides the range by a plane if that costs less, and there is room for the triangles that it cuts.
+  bool cutApart(const Range &range, float cost, Range &left, Range &right) {
+    const auto references = mReferences.subspan(range.begin, range.count());
+    const Slabs slabs(range.box);
+    const SpatialSplit split = bestPlane(references, mTriangles, slabs);
+    if (!(split.cost < cost) || split.left + split.right > range.limit - range.begin) return false;
+    const Parts parts = partsOf(references, mTriangles, slabs, split);
+    if (parts.left.empty() || parts.right.empty()) return false;
+    const size_t middle = range.begin + parts.left.size(), end = middle + parts.right.size();
+    std::copy(parts.left.begin(), parts.left.end(), &mReferences[range.begin]);
+    std::copy(parts.right.begin(), parts.right.end(), &mReferences[middle]);
+    left = {range.begin, middle, middle, {}, {}};
+    right = {middle, end, range.limit, {}, {}};
+    for (Range *side : {&left, &right}) measure(*side);
+    share(left, right);
+    return true;
   }
 
   // Sorts the references into halves and collects their centres. There is no branch on the side: it cannot be foretold.
@@ -243,16 +182,19 @@ class Builder {
   // All centres in one place, too deep, or too far away for areas.
   void halve(const Range &range, Range &left, Range &right) const {
     const size_t middle = range.begin + range.count() / 2;
-    left = Range{range.begin, middle, {}, {}};
-    right = Range{middle, range.end, {}, {}};
-    for (Range *side : {&left, &right}) {
-      for (size_t i = side->begin; i < side->end; ++i) side->box.add(mReferences[i].box);
-      side->centres = centresOf(*side);
-    }
+    left = Range{range.begin, middle, middle, {}, {}};
+    right = Range{middle, range.end, range.limit, {}, {}};
+    for (Range *side : {&left, &right}) measure(*side);
+  }
+
+  void measure(Range &range) const {
+    for (size_t i = range.begin; i < range.end; ++i) range.box.add(mReferences[i].box);
+    range.centres = centresOf(range);
   }
 
   std::span<BuildReference> mReferences;
   std::span<const hal::HotTriangle> mTriangles;
+  float mLeastOverlap = 0;  // of halves, for which planes are tried
 };
 
 }  // namespace rc::ddk::HWY_NAMESPACE

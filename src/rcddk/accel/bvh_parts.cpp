@@ -14,8 +14,7 @@ std::vector<BuildReference> makeBuildReferences(std::span<const HotTriangle> tri
     const HotTriangle &t = triangles[i];
     const float margin = boxMargin(t);
     const Bounds box{glm::min(t.v0, glm::min(t.v1, t.v2)) - margin, glm::max(t.v0, glm::max(t.v1, t.v2)) + margin};
-    references[i] = {{-box.lower.x, -box.lower.y, -box.lower.z, 0, box.upper.x, box.upper.y, box.upper.z,
-                      BuildReference::nameOf(static_cast<uint32_t>(i))}};
+    references[i] = {box, static_cast<uint32_t>(i)};
     all.add(box);
   }
   return references;

@@ -14,8 +14,14 @@ namespace rc::ddk {
 struct alignas(32) BuildReference {
   float box[8];  // -lower, 0, upper, name
 
+  BuildReference() = default;
+  BuildReference(const Bounds &bounds, uint32_t primitive)
+      : box{-bounds.lower.x, -bounds.lower.y, -bounds.lower.z, 0,
+            bounds.upper.x,  bounds.upper.y,  bounds.upper.z,  nameOf(primitive)} {}
+
   // The eighth column takes part in arithmetic: the number lies in it as the bits of a float from 2 upwards.
   static float nameOf(uint32_t primitive) { return std::bit_cast<float>(primitive | 0x40000000u); }
+  Bounds bounds() const { return {{-box[0], -box[1], -box[2]}, {box[4], box[5], box[6]}}; }
   uint32_t primitive() const { return std::bit_cast<uint32_t>(box[7]) & 0x3fffffffu; }
 };
 static_assert(sizeof(BuildReference) == 32);

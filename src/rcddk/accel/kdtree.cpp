@@ -3,11 +3,10 @@
 //
 // kdtree.cpp: a KD-tree by the surface area heuristic, the guide's default structure.
 // Planes are chosen by min-max binning (Shevtsov, Soupikov, Kapustin: "Highly Parallel Fast KD-tree
-// Construction", 2007); triangles that a plane cuts go to both sides with boxes of their parts ("split
-// clipping", Havran and Bittner: "On Improving KD-Trees for Ray Shooting", 2002).
+// Construction", 2007); triangles that a plane cuts go to both sides with boxes of their parts.
 #include <array>
 
-#include "rcddk/accel/builder.h"
+#include "rcddk/accel/cut.h"
 
 namespace rc::ddk {
 namespace {
@@ -144,42 +143,18 @@ class KdBuilder {
       } else if (reference.box.lower[split.axis] >= split.position) {
         right.push_back(reference);
       } else {
-        cut(reference, split, left, right);
+        cutAndKeep(reference, split, left, right);
       }
     }
   }
 
-  // The parts of a triangle on both sides of a plane, as boxes; a part that misses the old box is dropped.
-  void cut(const Reference &reference, const Split &split, std::vector<Reference> &left,
-           std::vector<Reference> &right) const {
-    const HotTriangle &triangle = mTriangles[reference.primitive];
-    const Vec3 vertices[3] = {triangle.v0, triangle.v1, triangle.v2};
-    Bounds below, above;
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 &a = vertices[i], &b = vertices[(i + 1) % 3];
-      const float da = a[split.axis] - split.position, db = b[split.axis] - split.position;
-      if (da <= 0) below.add(a);
-      if (da >= 0) above.add(a);
-      if ((da < 0 && db > 0) || (da > 0 && db < 0)) {
-        const Vec3 crossing = glm::mix(a, b, std::clamp(da / (da - db), 0.0f, 1.0f));
-        below.add(crossing);
-        above.add(crossing);
-      }
-    }
-    const float margin = boxMargin(triangle);
-    keep(below, margin, reference, split, left, &Bounds::upper);
-    keep(above, margin, reference, split, right, &Bounds::lower);
-  }
-
-  static void keep(Bounds part, float margin, const Reference &reference, const Split &split,
-                   std::vector<Reference> &side, Vec3 Bounds::*cutSide) {
-    // Only the widened box crosses the plane: keep the sliver.
-    if (part.empty()) part = reference.box;
-    part.lower -= margin;
-    part.upper += margin;
-    part = intersection(part, reference.box);
-    (part.*cutSide)[split.axis] = split.position;
-    if (!part.empty()) side.push_back({part, reference.primitive});
+  // A part that misses the old box is dropped.
+  void cutAndKeep(const Reference &reference, const Split &split, std::vector<Reference> &left,
+                  std::vector<Reference> &right) const {
+    CutBoxes parts = cut(mTriangles[reference.primitive], reference.box, split.axis, split.position);
+    parts.below.upper[split.axis] = parts.above.lower[split.axis] = split.position;
+    if (!parts.below.empty()) left.push_back({parts.below, reference.primitive});
+    if (!parts.above.empty()) right.push_back({parts.above, reference.primitive});
   }
 
   std::span<const HotTriangle> mTriangles;
