@@ -239,9 +239,9 @@ RC_APICALL void RC_APIENTRY rcEnable(RCenum cap);
 RC_APICALL void RC_APIENTRY rcDisable(RCenum cap);
 RC_APICALL RCboolean RC_APIENTRY rcIsEnabled(RCenum cap);
 /* RC_MIPMAP_HINT: RC_NICEST always samples the base level. RC_RAYBOUNCE_THRESHOLD_HINT: RC_THRESHOLD_LEVELi
- * drops secondary rays of weight under (i+1)/100. RC_RENDERING_HINT: RC_NICEST, _FASTEST_AND_NICEST take
- * four samples a pixel. RC_STRUCTURE_HINT: RC_STRUCTURE_KD_TREE, _BVH, _NONE are what is built from now on. GL's
- * other hints are accepted. Initially RC_DONT_CARE. IE: target or mode. */
+ * drops secondary rays of weight under (i+1)/100. RC_RENDERING_HINT: RC_NICEST takes four samples a pixel,
+ * _FASTEST_AND_NICEST only at edges. RC_STRUCTURE_HINT: RC_STRUCTURE_KD_TREE, _BVH, _NONE are what is built from now
+ * on. GL's other hints are accepted. Initially RC_DONT_CARE. IE: target or mode. */
 RC_APICALL void RC_APIENTRY rcHint(RCenum target, RCenum mode);
 /* Beyond the vendor's API: calls that fail in the current context tell callback what, where and why; NULL (initially):
  * nobody. The message is that of RAYCORE_LOG=error. The callback must call no rc* function and let no exception out. */

@@ -77,7 +77,7 @@ int32_t materialNameOf(const hal::SceneView &scene, uint32_t primitive) {
 
 RayAnswer probePixel(const hal::SceneView &scene, int column, int row) {
   RayAnswer answer;
-  const hal::Ray ray = hal::primaryRay(scene.camera, column, row, {0, 0}).ray;
+  const hal::Ray ray = hal::primaryRay(scene.camera, column, row, {}).ray;
   hal::HitOrder after;
   for (int passed = 0; passed <= kMostPassed; ++passed) {
     const hal::Hit hit = nextCounted(scene, ray, after, answer);

@@ -14,6 +14,7 @@
 
 #include "base/stopwatch.h"
 #include "rchal/framebuffer.h"
+#include "rchal/pixel_choice.h"
 #include "rchal/tile.h"
 #include "rchal/units/ray_generation.h"
 #include "rchal/units/shading.h"
@@ -25,10 +26,10 @@ namespace rc::hal {
 // How a device does the work of the units, a batch at a time. This one asks the scalar units, item by item.
 struct ScalarUnits {
   // A ray through each pixel of the tile, in their order.
-  static void generate(const SceneView &scene, const Tile &tile, const TilePixels &pixels, Vec2 offset,
+  static void generate(const SceneView &scene, const Tile &tile, const TilePixels &pixels, PixelSample sample,
                        RayQueue &rays) {
     for (size_t i = 0; i < pixels.size(); ++i) {
-      RayItem item = primaryRay(scene.camera, tile.column + pixels.column[i], tile.row + pixels.row[i], offset);
+      RayItem item = primaryRay(scene.camera, tile.column + pixels.column[i], tile.row + pixels.row[i], sample);
       item.pixel = static_cast<uint32_t>(i);
       item.tolerance = scene.ignorable;
       rays.push(item);
@@ -64,7 +65,7 @@ class TileTracer {
     mQueues.resize(std::max(mQueues.size(), size_t(scene.maxBounces) + 2));
     mShadows.resize(std::max(mShadows.size(), scene.lights.size()));
     if (scene.samples == 1) {
-      traceSample(scene, tile, mPixels, {0, 0});
+      traceSample(scene, tile, mPixels, {});
     } else {
       mPicture.clear(mPixels.size());
       choosePixels(scene, tile);
@@ -96,53 +97,27 @@ class TileTracer {
   }
 
   // A ray through each of the pixels; what it brings is in mSum, in their order.
-  void traceSample(const SceneView &scene, const Tile &tile, const TilePixels &pixels, Vec2 offset) {
+  void traceSample(const SceneView &scene, const Tile &tile, const TilePixels &pixels, PixelSample sample) {
     mSum.clear(pixels.size());
-    timed(scene, &UnitTimes::generate, [&] { mUnits.generate(scene, tile, pixels, offset, mQueues[0]); });
+    timed(scene, &UnitTimes::generate, [&] { mUnits.generate(scene, tile, pixels, sample, mQueues[0]); });
     mCounts.primary += pixels.size();
     traceGenerations(scene);
   }
 
-  // Pixels that get all samples: all of them, or those whose corners look different; the others get what the corners
-  // show. A corner is where a single sample would be, for four pixels at once.
   void choosePixels(const SceneView &scene, const Tile &tile) {
-    mChosen.clear();
-    mPlaces.clear();
-    if (scene.adaptive) {
-      mCorners.arrange(tile.columns + 1, tile.rows + 1);
-      traceSample(scene, tile, mCorners, {0, 0});
-    }
-    for (size_t i = 0; i < mPixels.size(); ++i) {
-      const int x = mPixels.column[i], y = mPixels.row[i];
-      if (scene.adaptive && takeCorners(x, y, i, static_cast<float>(scene.samples))) continue;
-      mChosen.add(x, y);
-      mPlaces.push_back(i);
-    }
-  }
-
-  // Colours closer than this look the same.
-  static constexpr float kSameColour = 3.0f / 256;
-
-  bool takeCorners(int x, int y, size_t pixel, float samples) {
-    Rgb least(1), most(0), sum(0);
-    for (const auto &[dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
-      const Rgb colour = glm::clamp(mSum.view()[mCorners.placeOf(x + dx, y + dy)], 0.0f, 1.0f);
-      least = glm::min(least, colour);
-      most = glm::max(most, colour);
-      sum += colour;
-    }
-    if (maxComponent(most - least) > kSameColour) return false;
-    mPicture.view().add(pixel, sum * (samples / 4));
-    return true;
+    if (!scene.adaptive) return mChoice.chooseAll(mPixels);
+    traceSample(scene, tile, mChoice.cornersOf(tile), {});
+    mChoice.chooseByCorners(mPixels, mSum.view(), static_cast<float>(scene.samples), mPicture.view());
   }
 
   // Samples are cut off at 1 one by one: a light in a mirror shall not outshine its edge.
   void traceSamples(const SceneView &scene, const Tile &tile) {
     const PixelSums picture = mPicture.view();
+    const TilePixels &chosen = mChoice.chosen();
     for (int sample = 0; sample < scene.samples; ++sample) {
-      traceSample(scene, tile, mChosen, samplePosition(sample, scene.samples));
+      traceSample(scene, tile, chosen, sampleOf(sample, scene.samples));
       const PixelSums sums = mSum.view();
-      for (size_t i = 0; i < mChosen.size(); ++i) picture.add(mPlaces[i], glm::clamp(sums[i], 0.0f, 1.0f));
+      for (size_t i = 0; i < chosen.size(); ++i) picture.add(mChoice.placeOf(i), glm::clamp(sums[i], 0.0f, 1.0f));
     }
   }
 
@@ -173,8 +148,7 @@ class TileTracer {
 
   void store(const SceneView &scene, const Tile &tile, const Target &target) {
     mBytes.resize(mPixels.size());
-    const bool one = scene.samples == 1;
-    mUnits.pack((one ? mSum : mPicture).view(), mPixels.size(), 1.0f / static_cast<float>(scene.samples),
+    mUnits.pack((scene.samples == 1 ? mSum : mPicture).view(), mPixels.size(), 1.0f / static_cast<float>(scene.samples),
                 mBytes.data());
     if (scene.writeMask == ~0u && tile.columns % TilePixels::kBlock == 0) return storeRows(tile, target);
     for (size_t i = 0; i < mPixels.size(); ++i) {
@@ -193,8 +167,7 @@ class TileTracer {
   size_t mBatch;
   Units mUnits;
   TilePixels mPixels;             // all of the tile
-  TilePixels mCorners, mChosen;   // of several samples: where pixels meet; those that get all samples
-  std::vector<size_t> mPlaces;    // of the chosen ones in the tile
+  PixelChoice mChoice;            // of several samples: those of them that get all
   std::vector<RayQueue> mQueues;  // by number of bounces
   RayQueue mRays;                 // the batch in hand
   HitQueue mHits;

@@ -12,6 +12,12 @@ namespace rc::hal {
 
 using Tile = PixelRect;  // of the viewport; small enough for the queues of its rays
 
+// The part of a pixel that a ray stands for.
+struct PixelSample {
+  Vec2 place{0, 0};  // 0 <= x, y < 1
+  float width = 1;   // of its footprint, in pixels
+};
+
 class TilePixels {
  public:
   static constexpr int kBlock = 4;  // pixels a side

@@ -20,11 +20,11 @@ TEST(RayGeneration, ASinglesSampleLiesAtTheLowerLeftCorner) {
   CameraView camera;
   camera.columns = 4;
   camera.rows = 2;
-  EXPECT_EQ(samplePosition(0, 1), Vec2(0, 0));
-  const Vec3 corner = primaryRay(camera, 0, 0, {0, 0}).ray.direction;
+  EXPECT_EQ(sampleOf(0, 1).place, Vec2(0, 0));
+  const Vec3 corner = primaryRay(camera, 0, 0, {}).ray.direction;
   EXPECT_NEAR(corner.x / -corner.z, -1, 1e-6);
   EXPECT_NEAR(corner.y / -corner.z, -1, 1e-6);
-  const Vec3 centre = primaryRay(camera, 2, 1, {0, 0}).ray.direction;
+  const Vec3 centre = primaryRay(camera, 2, 1, {}).ray.direction;
   EXPECT_NEAR(centre.x, 0, 1e-6);
   EXPECT_NEAR(centre.z, -1, 1e-6);
 }
@@ -34,7 +34,7 @@ TEST(RayGeneration, SeveralSamplesFillTheSquare) {
     std::vector<bool> strip(static_cast<size_t>(samples));
     double meanY = 0;
     for (int i = 0; i < samples; ++i) {
-      const Vec2 p = samplePosition(i, samples);
+      const Vec2 p = sampleOf(i, samples).place;
       ASSERT_GE(minComponent(Vec3(p, 0)), 0);
       ASSERT_LT(maxComponent(Vec3(p, 0)), 1);
       strip.at(size_t(p.x * float(samples))) = true;

@@ -19,9 +19,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-void generateOn(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels, Vec2 offset,
-                hal::RayQueue &rays) {
-  generateRays(scene, tile, pixels, offset, rays);
+void generateOn(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
+                hal::PixelSample sample, hal::RayQueue &rays) {
+  generateRays(scene, tile, pixels, sample, rays);
 }
 
 void shadeOn(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::HitQueue &hits,
@@ -49,9 +49,9 @@ HWY_EXPORT(shadeOn);
 HWY_EXPORT(addLitOn);
 HWY_EXPORT(packOn);
 
-void generate(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels, Vec2 offset,
-              hal::RayQueue &rays) {
-  HWY_DYNAMIC_DISPATCH(generateOn)(scene, tile, pixels, offset, rays);
+void generate(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
+              hal::PixelSample sample, hal::RayQueue &rays) {
+  HWY_DYNAMIC_DISPATCH(generateOn)(scene, tile, pixels, sample, rays);
 }
 
 void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::HitQueue &hits, const hal::Outputs &out) {

@@ -11,8 +11,8 @@
 namespace rc::ddi::cpu {
 
 // A ray through each pixel of the tile.
-void generate(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels, Vec2 offset,
-              hal::RayQueue &rays);
+void generate(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
+              hal::PixelSample sample, hal::RayQueue &rays);
 
 // Everything that becomes of rays whose nearest hits are known.
 void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::HitQueue &hits, const hal::Outputs &out);

@@ -12,9 +12,9 @@ namespace rc::ddi::cpu {
 // One for each worker; its memory is used again from tile to tile.
 class CpuUnits {
  public:
-  static void generate(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels, Vec2 offset,
-                       hal::RayQueue &rays) {
-    cpu::generate(scene, tile, pixels, offset, rays);
+  static void generate(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
+                       hal::PixelSample sample, hal::RayQueue &rays) {
+    cpu::generate(scene, tile, pixels, sample, rays);
   }
   static void closestHits(const hal::SceneView &scene, const hal::RayQueue &rays, hal::HitQueue &hits);
   static void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::HitQueue &hits,

@@ -8,33 +8,36 @@
 #pragma once
 
 #include "rchal/queues.h"
+#include "rchal/tile.h"
 
 namespace rc::hal {
 
-// Place of a sample in its pixel, 0 <= x, y < 1. One sample lies at the corner. Several form a rank-1 lattice
-// along the golden ratio, about the middle: even in both axes and the same in each frame.
-inline Vec2 samplePosition(int sample, int samples) {
-  if (samples == 1) return {0, 0};
+// One sample lies at the corner. Several form a rank-1 lattice along the golden ratio, about the middle: even in both
+// axes and the same in each frame. Together they cover the pixel, so each one's footprint is as much smaller.
+inline PixelSample sampleOf(int sample, int samples) {
+  if (samples == 1) return {};
+  const auto count = static_cast<float>(samples);
   const float place = static_cast<float>(sample) + 0.5f, golden = 0.61803399f * place;
-  return {place / static_cast<float>(samples), golden - std::floor(golden)};
+  return {{place / count, golden - std::floor(golden)}, 1 / std::sqrt(count)};
 }
 
 // column from the left, row from the bottom of the viewport.
-inline RayItem primaryRay(const CameraView &camera, int column, int row, Vec2 offset) {
+inline RayItem primaryRay(const CameraView &camera, int column, int row, PixelSample sample) {
   const float x =
-      camera.left + camera.width * (static_cast<float>(column) + offset.x) / static_cast<float>(camera.columns);
+      camera.left + camera.width * (static_cast<float>(column) + sample.place.x) / static_cast<float>(camera.columns);
   const float y =
-      camera.bottom + camera.height * (static_cast<float>(row) + offset.y) / static_cast<float>(camera.rows);
+      camera.bottom + camera.height * (static_cast<float>(row) + sample.place.y) / static_cast<float>(camera.rows);
+  const float pixel = sample.width * std::abs(camera.height) / static_cast<float>(camera.rows);
   RayItem item;
   if (camera.parallel) {
     item.ray = {camera.eye + camera.right * x + camera.up * y - camera.back * camera.near, -camera.back};
-    item.coneWidth = std::abs(camera.height) / static_cast<float>(camera.rows);
+    item.coneWidth = pixel;
     item.travelled = camera.near;  // from the plane of the eye
     return item;
   }
   item.ray.origin = camera.eye;
   item.ray.direction = normalizedOr(camera.right * x + camera.up * y - camera.back * camera.near, -camera.back);
-  item.coneSpread = std::abs(camera.height) / static_cast<float>(camera.rows) / camera.near;
+  item.coneSpread = pixel / camera.near;
   return item;
 }
 

@@ -27,15 +27,16 @@ HWY_INLINE F windowPosition(float start, float size, int first, float offset, in
 
 // All columns but origin and direction are the same for all rays of a camera; hal::primaryRay() tells them.
 HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
-                             Vec2 offset, hal::RayQueue &rays) {
+                             hal::PixelSample sample, hal::RayQueue &rays) {
   const FTag d;
   const UTag du;
   const hal::CameraView &camera = scene.camera;
   rays.resize(pixels.size());
-  const hal::RayItem one = hal::primaryRay(camera, tile.column, tile.row, offset);
+  const hal::RayItem one = hal::primaryRay(camera, tile.column, tile.row, sample);
   for (size_t i = 0; i < pixels.size(); i += lanes()) {
-    const F x = windowPosition(camera.left, camera.width, tile.column, offset.x, camera.columns, &pixels.column[i]);
-    const F y = windowPosition(camera.bottom, camera.height, tile.row, offset.y, camera.rows, &pixels.row[i]);
+    const F x =
+        windowPosition(camera.left, camera.width, tile.column, sample.place.x, camera.columns, &pixels.column[i]);
+    const F y = windowPosition(camera.bottom, camera.height, tile.row, sample.place.y, camera.rows, &pixels.row[i]);
     const V3 inWindow = x * all(camera.right) + y * all(camera.up);
     const V3 before = all(camera.back * camera.near);
     V3 origin = all(camera.eye), direction = all(-camera.back);
