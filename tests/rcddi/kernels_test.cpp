@@ -49,18 +49,19 @@ size_t compareHits(const SceneView &scene, const SceneView &plain, std::span<con
   return found;
 }
 
-size_t compareBlocked(const SceneView &scene, const SceneView &plain, std::span<const Ray> rays, float tMax) {
+size_t compareBlocked(const SceneView &scene, const SceneView &plain, std::span<const Ray> rays, float tMax,
+                      Blocking by) {
   const Columns columns(rays);
   const std::vector<float> ends(rays.size(), tMax);
   std::vector<uint8_t> truth(rays.size());
   size_t count = 0;
   for (size_t i = 0; i < rays.size(); ++i) {
-    truth[i] = blockedByOpaque(plain, rays[i], tMax);
+    truth[i] = isBlocked(plain, rays[i], tMax, by);
     count += truth[i];
   }
   onEachTarget([&] {
     std::vector<uint8_t> blocked(rays.size());
-    ddi::cpu::findBlocked(scene, columns.stream(), ends.data(), blocked.data());
+    ddi::cpu::findBlocked(scene, columns.stream(), ends.data(), by, blocked.data());
     EXPECT_EQ(blocked, truth);
   });
   return count;
@@ -78,7 +79,7 @@ class Kernels : public testing::TestWithParam<std::tuple<RayKind, AccelKind>> {
     for (GeometryView &geometry : plain.geometry) geometry.accel = {};
     const std::vector<Ray> rays = raysOf(rayKind, count, view);
     EXPECT_GT(compareHits(view, plain, rays), rays.size() / 20) << "the rays miss nearly everything";
-    compareBlocked(view, plain, rays, 0.7f);
+    for (const Blocking by : {Blocking::Opaque, Blocking::Filter}) compareBlocked(view, plain, rays, 0.7f, by);
   }
 
  private:

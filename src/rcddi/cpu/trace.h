@@ -10,6 +10,7 @@
 #include <array>
 
 #include "rchal/device.h"
+#include "rchal/units/traversal.h"
 
 namespace rc::ddi::cpu {
 
@@ -21,7 +22,9 @@ struct RayStream {
 // The nearest hit of each ray.
 void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::Hit *hits);
 
-// blocked[i] = 1 if a triangle that lets no light through lies before tMax[i] on ray i, else 0.
-void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked);
+using hal::Blocking;
+
+// blocked[i] = 1 if a triangle that is asked for lies before tMax[i] on ray i, else 0.
+void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, Blocking by, uint8_t *blocked);
 
 }  // namespace rc::ddi::cpu

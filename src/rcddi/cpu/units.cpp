@@ -35,10 +35,19 @@ void CpuUnits::addVisible(const SceneView &scene, const ShadowQueue &shadows, co
   mEnd.resize(count);
   mBlocked.resize(count);
   for (size_t i = 0; i < count; ++i) mEnd[i] = shadowEnd(shadows.distance[i]);
-  findBlocked(scene, streamOf(shadows.origin, shadows.direction, count), mEnd.data(), mBlocked.data());
+  const RayStream rays = streamOf(shadows.origin, shadows.direction, count);
+  findBlocked(scene, rays, mEnd.data(), Blocking::Opaque, mBlocked.data());
   if (!scene.filtersShadow()) return addLit(shadows, mBlocked.data(), sums);
+  // Rays that meet nothing are lit, those that meet filters alone ask the scalar unit.
+  mFiltered.resize(count);
+  mOpen.resize(count);
+  for (size_t i = 0; i < count; ++i) mOpen[i] = mBlocked[i] ? -kInfinity : mEnd[i];
+  findBlocked(scene, rays, mOpen.data(), Blocking::Filter, mFiltered.data());
+  for (size_t i = 0; i < count; ++i) mFiltered[i] = mFiltered[i] && !mBlocked[i];
+  for (size_t i = 0; i < count; ++i) mBlocked[i] |= mFiltered[i];
+  addLit(shadows, mBlocked.data(), sums);
   for (size_t i = 0; i < count; ++i) {
-    if (mBlocked[i]) continue;
+    if (!mFiltered[i]) continue;
     const ShadowItem item = shadows[i];
     sums.add(item.pixel, item.colour * throughFilters(scene, item.ray, mEnd[i]));
   }

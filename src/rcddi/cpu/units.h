@@ -27,8 +27,8 @@ class CpuUnits {
   }
 
  private:
-  hal::Column<float> mEnd;
-  hal::Column<uint8_t> mBlocked;
+  hal::Column<float> mEnd, mOpen;  // of shadow rays; of those that nothing opaque blocks
+  hal::Column<uint8_t> mBlocked, mFiltered;
 };
 
 }  // namespace rc::ddi::cpu

@@ -52,7 +52,7 @@ inline Rgb throughFilters(const SceneView &scene, const Ray &ray, float end) {
 
 inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   const float end = shadowEnd(distance);
-  return blockedByOpaque(scene, ray, end) ? Rgb(0) : throughFilters(scene, ray, end);
+  return isBlocked(scene, ray, end, Blocking::Opaque) ? Rgb(0) : throughFilters(scene, ray, end);
 }
 
 }  // namespace rc::hal

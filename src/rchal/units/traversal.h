@@ -175,8 +175,11 @@ inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after
 
 inline Hit closestHit(const SceneView &scene, const Ray &ray) { return nextHit(scene, ray, HitOrder{}, kInfinity); }
 
-// Whether a triangle that lets no light through lies before tMax.
-inline bool blockedByOpaque(const SceneView &scene, const Ray &ray, float tMax) {
+// Triangles that let no light through, and those that may let some through.
+enum class Blocking { Opaque, Filter };
+
+// Whether such a triangle lies before tMax.
+inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax, Blocking by) {
   const TraversalRay traversal(ray);
   const ShearedRay sheared(ray);
   bool blocked = false;
@@ -185,7 +188,8 @@ inline bool blockedByOpaque(const SceneView &scene, const Ray &ray, float tMax) 
       for (const uint32_t index : indices) {
         const HotTriangle &triangle = geometry.triangles[index];
         Hit hit;
-        if (triangle.flags & kFiltersShadow || !intersectTriangle(sheared, triangle, hit)) continue;
+        const bool filters = (triangle.flags & kFiltersShadow) != 0;
+        if (filters != (by == Blocking::Filter) || !intersectTriangle(sheared, triangle, hit)) continue;
         if (hit.t > 0 && hit.t < tMax) return blocked = true;
       }
       return false;

@@ -43,7 +43,7 @@ HWY_NOINLINE void traceWithUnit(const Geometry &geometry, Batch &batch) {
   scene.geometry[0] = geometry.view;
   for (size_t i = 0; i < batch.rays; ++i) {
     if (kAny) {
-      if (hal::blockedByOpaque(scene, batch.ray(i), batch.t[i])) batch.t[i] = -kInfinity;
+      if (hal::isBlocked(scene, batch.ray(i), batch.t[i], geometry.asked)) batch.t[i] = -kInfinity;
       continue;
     }
     hal::Hit hit = hal::closestHit(scene, batch.ray(i));
@@ -121,10 +121,12 @@ HWY_INLINE void deliver(const Batch &batch, size_t first, hal::Hit *hits, uint8_
 }
 
 template <bool kAny>
-HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, size_t first, hal::Hit *hits, uint8_t *blocked) {
+HWY_INLINE void traceClass(const hal::SceneView &scene, Blocking asked, Batch &batch, size_t first, hal::Hit *hits,
+                           uint8_t *blocked) {
   uint32_t base = 0;
   for (const hal::GeometryView &geometry : scene.geometry) {
-    if (!geometry.triangles.empty()) traceBatch<kAny>({geometry, base}, batch);
+    const bool nothing = geometry.triangles.empty() || (kAny && asked == Blocking::Filter && !geometry.filtersShadow);
+    if (!nothing) traceBatch<kAny>({geometry, base, asked}, batch);
     base += static_cast<uint32_t>(geometry.triangles.size());
   }
   deliver<kAny>(batch, first, hits, blocked);
@@ -154,7 +156,7 @@ inline void gather(const RayStream &rays, size_t first, const int32_t *classes, 
 
 template <bool kAny>
 HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, size_t first, size_t count,
-                           const float *tMax, hal::Hit *hits, uint8_t *blocked) {
+                           const float *tMax, Blocking asked, hal::Hit *hits, uint8_t *blocked) {
   alignas(64) int32_t classes[kBatchRays];
   Batch batch;
   batch.inPlace = count % kPacketRays == 0 && classify(rays, first, count, classes);
@@ -164,7 +166,7 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
       batch.direction[axis] = rays.direction[axis] + first;
     }
     setUp(batch, count, classes[0], tMax ? tMax + first : nullptr);
-    return traceClass<kAny>(scene, batch, first, hits, blocked);
+    return traceClass<kAny>(scene, asked, batch, first, hits, blocked);
   }
   if (count % kPacketRays) {
     for (size_t i = 0; i < count; ++i) {
@@ -179,16 +181,16 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
     gather(rays, first, classes, count, rayClass, tMax, tColumn, batch, n);
     if (n == 0) continue;
     setUp(batch, n, rayClass, tMax ? tColumn : nullptr);
-    traceClass<kAny>(scene, batch, first, hits, blocked);
+    traceClass<kAny>(scene, asked, batch, first, hits, blocked);
   }
 }
 
-// tMax: of rays that ask kAny; null else.
+// tMax, asked: of rays that ask kAny; null else.
 template <bool kAny>
-inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, hal::Hit *hits,
-                        uint8_t *blocked) {
+inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, Blocking asked,
+                        hal::Hit *hits, uint8_t *blocked) {
   for (size_t first = 0; first < rays.count; first += kBatchRays) {
-    traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, hits, blocked);
+    traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, asked, hits, blocked);
   }
 }
 

@@ -20,7 +20,12 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 // A set of triangles on its way through the kernels.
 struct Geometry {
   const hal::GeometryView &view;
-  uint32_t base;  // number of its first primitive
+  uint32_t base;   // number of its first primitive
+  Blocking asked;  // of rays that ask for any hit
+
+  bool counts(const hal::HotTriangle &triangle) const {
+    return ((triangle.flags & hal::kFiltersShadow) != 0) == (asked == Blocking::Filter);
+  }
 };
 
 constexpr size_t kLanes = 16;

@@ -51,7 +51,7 @@ HWY_INLINE uint32_t addBlock(const Geometry &geometry, const hal::TriangleBlock4
   if (kAny && HWY_UNLIKELY(geometry.view.filtersShadow)) {
     for (uint32_t rest = lanes; rest;) {
       const uint32_t lane = nextBit(rest);
-      if (geometry.view.triangles[block.primitive[lane]].flags & hal::kFiltersShadow) lanes &= ~(1u << lane);
+      if (!geometry.counts(geometry.view.triangles[block.primitive[lane]])) lanes &= ~(1u << lane);
     }
   }
   return lanes << first;

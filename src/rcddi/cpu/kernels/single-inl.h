@@ -159,7 +159,7 @@ HWY_INLINE bool intersectBlock(const Geometry &geometry, const hal::TriangleBloc
     const uint32_t primitive = block.primitive[lane];
     if (primitive == hal::TriangleBlock4::kNone) continue;
     const hal::HotTriangle &triangle = geometry.view.triangles[primitive];
-    if (kAny && geometry.view.filtersShadow && triangle.flags & hal::kFiltersShadow) continue;
+    if (kAny && geometry.view.filtersShadow && !geometry.counts(triangle)) continue;
     hal::Hit hit{hits.t[lane], hits.u[lane], hits.v[lane], 0};
     const bool onEdge = hits.onEdge >> lane & 1;
     if (onEdge && !hal::intersectTriangle(hal::ShearedRay(batch.ray(ray)), triangle, hit)) continue;
