@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// operator new for fuzz targets: what is larger than a small machine's memory is refused at once, as an input may ask
+// for images and buffers of any size. Sanitizers' own operator new ends the process instead.
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+constexpr std::size_t kLargest = std::size_t{8} << 20;
+
+void *allocate(std::size_t size) noexcept { return size > kLargest ? nullptr : std::malloc(size == 0 ? 1 : size); }
+
+void *allocateOrThrow(std::size_t size) {
+  if (void *memory = allocate(size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void *operator new(std::size_t size) { return allocateOrThrow(size); }
+void *operator new[](std::size_t size) { return allocateOrThrow(size); }
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept { return allocate(size); }
+void *operator new[](std::size_t size, const std::nothrow_t &) noexcept { return allocate(size); }
+void operator delete(void *memory) noexcept { std::free(memory); }
+void operator delete[](void *memory) noexcept { std::free(memory); }
+void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void *memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void *memory, const std::nothrow_t &) noexcept { std::free(memory); }
+void operator delete[](void *memory, const std::nothrow_t &) noexcept { std::free(memory); }
