@@ -101,9 +101,12 @@ enum Mode { kAlone, kTurns, kTogether };
 
 Mode modeOf(uint8_t code) { return code < 192 ? kAlone : code < 240 ? kTurns : kTogether; }
 
-void run(const uint8_t *data, size_t size) {
+}  // namespace
+
+void run(Input in) {
   static Worker &worker = *new Worker;  // it waits when the process ends
-  Input in(data, size);
+  const uint8_t *data = in.data();
+  const size_t size = in.left();
   const Mode mode = modeOf(in.byte());
   World world;
   switch (mode) {
@@ -120,10 +123,4 @@ void run(const uint8_t *data, size_t size) {
   }
 }
 
-}  // namespace
 }  // namespace rc::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  rc::fuzz::run(data, size);
-  return 0;
-}

@@ -274,7 +274,9 @@ constexpr void (*kActions[])(Geometry &) = {
     chooseArray,   drawArrays,     drawElements, fillBuffer,  deleteBuffer, changeMatrix, changePalette, changeClipping,
     changeSurface, changeMaterial, changeView,   changeScene, trace,        chooseArray,  drawArrays,    drawElements};
 
-void run(Input &in) {
+}  // namespace
+
+void run(Input in) {
   Geometry geometry{in};
   rcuPerspective(60, 1.25f, 1, 100);
   rcuLookAt(0, 0, 3, 0, 0, 0, 0, 1, 0);
@@ -284,11 +286,4 @@ void run(Input &in) {
   geometry.session.showFrame();
 }
 
-}  // namespace
 }  // namespace rc::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  rc::fuzz::Input in(data, size);
-  rc::fuzz::run(in);
-  return 0;
-}

@@ -74,19 +74,15 @@ constexpr std::array<void (*)(std::string_view), 9> kReaders{
     [](std::string_view bytes) { readForeign(".off", bytes); },
 };
 
-void run(const uint8_t *data, size_t size) {
-  if (size == 0) return;
-  const std::string_view bytes(reinterpret_cast<const char *>(data + 1), size - 1);
+}  // namespace
+
+void run(Input in) {
+  const auto &read = in.oneOf(kReaders);
+  const std::string_view bytes(reinterpret_cast<const char *>(in.data()), in.left());
   try {
-    kReaders[data[0] % kReaders.size()](bytes);
+    read(bytes);
   } catch (const std::exception &) {  // what the command reports
   }
 }
 
-}  // namespace
 }  // namespace rc::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  rc::fuzz::run(data, size);
-  return 0;
-}

@@ -146,7 +146,9 @@ constexpr void (*kActions[])(Texture &) = {
     loadImage,   loadPart, loadPaletted, copyPicture, copyPart, setParameter, setEnvironment, setAlignment,
     setSwitches, bind,     draw,         readPixels,  trace,    loadImage,    draw,           loadPart};
 
-void run(Input &in) {
+}  // namespace
+
+void run(Input in) {
   Texture texture{in};
   rcuPerspective(60, 1.25f, 1, 100);
   rcuLookAt(0, 0, 2, 0, 0, 0, 0, 1, 0);
@@ -155,11 +157,4 @@ void run(Input &in) {
   texture.session.showFrame();
 }
 
-}  // namespace
 }  // namespace rc::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  rc::fuzz::Input in(data, size);
-  rc::fuzz::run(in);
-  return 0;
-}

@@ -23,7 +23,7 @@ inline uint64_t imageBytes(RCsizei width, RCsizei height, size_t texel, RCint al
   return (row + unit - 1) / unit * unit * uint64_t(height - 1) + row;
 }
 
-// Memory of that size. What is larger than memory_limit.cpp allows is never read: the library's copy would be as large.
+// Memory of that size. What is larger than one_input.cpp allows is never read: the library's copy would be as large.
 // Sometimes there is none.
 class Pixels {
  public:

@@ -38,6 +38,7 @@ class Input {
   Input(const uint8_t *data, size_t size) : mData(data), mLeft(size) {}
 
   bool empty() const { return mLeft == 0; }
+  const uint8_t *data() const { return mData; }
   size_t left() const { return mLeft; }
 
   template <class T>
@@ -99,5 +100,8 @@ class Spread {
  private:
   uint32_t mState;
 };
+
+// What a target does with an input.
+void run(Input in);
 
 }  // namespace rc::fuzz

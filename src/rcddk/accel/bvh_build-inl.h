@@ -67,8 +67,9 @@ struct Binning {
     }
   }
   HWY_INLINE size_t binOf(const BuildReference &reference, size_t axis) const {
-    const auto bin = static_cast<int32_t>((doubledCentre(reference, axis) - origin[axis]) * scale[axis]);
-    return std::min(static_cast<size_t>(std::max(bin, 0)), count - 1);
+    const float place = (doubledCentre(reference, axis) - origin[axis]) * scale[axis];
+    // Sizes beyond float, or near nothing, make places that are no numbers.
+    return static_cast<size_t>(std::min(place > 0 ? place : 0.0f, static_cast<float>(count - 1)));
   }
 };
 

@@ -94,10 +94,11 @@ void createSync(const Site &site) {
   site.world.noteSync(function(display, type, list.value));
 }
 
+template <class Pointer>
 void waitSync(const Site &site) {
   void *display = site.world.handle(site.in), *sync = site.world.handle(site.in);
   const EGLint flags = site.in.integer();
-  const auto function = reinterpret_cast<PFNEGLWAITSYNCPROC>(eglGetProcAddress(site.function.data()));
+  const auto function = reinterpret_cast<Pointer>(eglGetProcAddress(site.function.data()));
   if (site.world.isOwn(sync)) function(display, sync, flags);
 }
 
@@ -134,8 +135,8 @@ constexpr Function kCalls[] = {
     {"eglGetProcAddress", getProcAddress},
     {"eglCreateSync", createSync<PFNEGLCREATESYNCPROC, EGLAttrib>},
     {"eglCreateSyncKHR", createSync<PFNEGLCREATESYNCKHRPROC, EGLint>},
-    {"eglWaitSync", waitSync},
-    {"eglWaitSyncKHR", waitSync},
+    {"eglWaitSync", waitSync<PFNEGLWAITSYNCPROC>},
+    {"eglWaitSyncKHR", waitSync<PFNEGLWAITSYNCKHRPROC>},
     {"eglClientWaitSync", clientWaitSync},
     {"eglClientWaitSyncKHR", clientWaitSync},
     {"eglSwapBuffersWithDamageKHR", swapWithDamage},
