@@ -51,8 +51,9 @@ void draw(Steps &steps) {
   static constexpr float kCorners[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0, 0, 1, 0, 1, -1};
   rcBindBuffer(RC_ARRAY_BUFFER, 0);
   rcEnableClientState(RC_VERTEX_ARRAY);
+  rcVertexPointer(3, RC_FLOAT, 0, nullptr);
+  const auto count = RCsizei(std::min<uint64_t>(6, World::drawable()));  // as the other arrays allow
   rcVertexPointer(3, RC_FLOAT, 0, kCorners);
-  const auto count = RCsizei(std::min<uint64_t>(6, World::drawable()));
   rcDrawArrays(steps.in.flag() ? RC_TRIANGLES : RC_QUADS, 0, count);
   rcVertexPointer(3, RC_FLOAT, 0, World::vertices(4 * size_t{steps.in.byte()}));
 }

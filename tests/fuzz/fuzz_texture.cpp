@@ -14,7 +14,7 @@ constexpr RCenum kFormats[] = {RC_RGB, RC_RGBA, RC_ALPHA, RC_LUMINANCE};
 constexpr RCenum kTypes[] = {RC_UNSIGNED_BYTE,          RC_BYTE,  RC_UNSIGNED_SHORT_5_6_5, RC_UNSIGNED_SHORT_4_4_4_4,
                              RC_UNSIGNED_SHORT_5_5_5_1, RC_SHORT, RC_UNSIGNED_SHORT,       RC_FLOAT};
 constexpr RCenum kTargets[] = {RC_TEXTURE_2D, RC_TEXTURE_2D_NORMAL};
-constexpr RCsizei kSides[] = {16, 32, 64, 128, 16, 1024, 8, 2048};
+constexpr RCsizei kSides[] = {16, 32, 64, 16, 32, 128, 8, 16};
 
 struct Texture {
   Input &in;

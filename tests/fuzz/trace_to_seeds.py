@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: The raycore authors
 """Makes inputs of fuzz_api of the calls that programs and tests make.
 
-    RAYCORE_TRACE=calls.txt build/fast/tests/api/api_test
+    RAYCORE_TRACE=calls.txt build/release/tests/api/api_test
     tests/fuzz/trace_to_seeds.py calls.txt FOLDER
 
 Draw calls and images, whose memory a trace does not show, become the target's own; what only asks is left out."""
@@ -40,7 +40,7 @@ def number_in(text, names):
     text = text.strip()
     if text in names:
         return names[text]
-    if text.endswith("x") and not text.startswith("0x"):
+    if re.fullmatch(r"-?[\d.]+(e[-+]?\d+)?x", text):
         return round(float(text[:-1]) * 65536)
     return int(text, 0) if re.fullmatch(r"-?(0x[0-9A-Fa-f]+|\d+)", text) else float(text)
 
