@@ -23,3 +23,14 @@ if(RAYCORE_SANITIZE)
   add_link_options(-fsanitize=${RAYCORE_SANITIZE})
   add_compile_definitions(RAYCORE_FEW_TARGETS)  # src/base/simd_targets.h
 endif()
+
+# Every file tells libFuzzer which branches an input took; the engine itself is linked to fuzz targets alone.
+if(RAYCORE_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
+if(RAYCORE_COVERAGE)
+  add_compile_options(-fprofile-instr-generate -fcoverage-mapping)
+  add_link_options(-fprofile-instr-generate)
+  add_compile_definitions(RAYCORE_FEW_TARGETS)
+endif()

@@ -8,6 +8,8 @@ option(RAYCORE_BINDINGS "Build the Python package, where what it needs is found"
 option(RAYCORE_WERROR "Warnings are errors" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_GLVND "Build libEGL_raycore.so.0, the vendor library for libglvnd, where its header is" ON)
 set(RAYCORE_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize= takes them: address,undefined or thread")
+option(RAYCORE_FUZZ "Build fuzz targets for libFuzzer instead of replays of their corpora; Clang alone: the preset fuzz" OFF)
+option(RAYCORE_COVERAGE "Count which lines are run; Clang alone: the preset coverage" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)

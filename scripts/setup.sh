@@ -8,6 +8,7 @@
 #
 #   setup.sh        what the library, the command and their tests need
 #   setup.sh docs   what the book, the packages and the Python package need besides; tests skip what is missing
+#   setup.sh fuzz   Clang and its tools, for the presets fuzz and coverage; no test needs them
 set -eu
 
 packages=(
@@ -22,6 +23,7 @@ packages=(
   pybind11-dev python3-dev python3-numpy python3-pytest python3-mesonpy
   abigail-tools dpkg-dev fakeroot lintian
 )
+[ "${1:-}" = fuzz ] && packages+=(clang llvm libclang-rt-dev)
 
 missing=()
 for package in "${packages[@]}"; do

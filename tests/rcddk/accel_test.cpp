@@ -102,6 +102,23 @@ TEST(Accel, FarGeometryLeavesTheTreeATree) {
   }
 }
 
+// Neither their extent nor its reciprocal is a float. Planes and bins are chosen all the same.
+TEST(Accel, ExtentsBeyondFloatAreNoHindrance) {
+  Triangles strange = terrain(8);
+  for (float x : {-1e38f, 1e38f}) strange.push_back(triangle({x, 0, 0}, {x, 1, 0}, {x, 0, 1}));
+  for (int i = 0; i < 20; ++i) {
+    const float x = 1e-37f * float(i);
+    strange.push_back(triangle({x, 5, 5}, {x, 6, 5}, {x, 5, 6}));
+  }
+  std::vector<Ray> rays;
+  for (int i = 0; i < 100; ++i)
+    rays.push_back({{0.05f + 0.09f * float(i % 10), 2, 0.05f + 0.09f * float(i / 10)}, {0, -1, 0}});
+  const std::vector<Hit> truth = hitsWith(AccelKind::Exhaustive, strange, rays);
+  for (AccelKind kind : {AccelKind::KdTree, AccelKind::Bvh}) {
+    EXPECT_EQ(expectSame(hitsWith(kind, strange, rays), truth, "strange"), rays.size());
+  }
+}
+
 TEST(Accel, KdLeavesHoldEveryTriangleThatReachesIntoThem) {
   const Triangles triangles = soup(400, 9);
   const ddk::Accel accel = ddk::buildAccel(AccelKind::KdTree, triangles, Workers(2));
@@ -185,6 +202,24 @@ TEST(FrameBvh, GivesTheSameHitsOnAnyNumberOfThreads) {
   std::vector<Hit> hits(rays.size());
   createDevice("cpu", 2)->intersect(scene.update(), rays, hits);
   EXPECT_GT(expectSame(hits, truth, "BVH of a frame"), 1000u);
+}
+
+// Five triangles in one place, more than a leaf holds, have a node of their own at each corner of a lattice.
+TEST(FrameBvh, MayHaveMoreNodesThanItReserves) {
+  Triangles fives;
+  for (int i = 0; i < 64; ++i) {
+    const Vec3 corner = Vec3(i % 4, i / 4 % 4, i / 16) / 2.0f - 0.75f;
+    fives.insert(fives.end(), 5, triangle(corner, corner + Vec3(0.2f, 0, 0), corner + Vec3(0, 0.2f, 0.1f)));
+  }
+  const std::vector<Ray> rays = randomRays(2000, 8);
+  TestScene scene(fives);
+  scene.accel = {};
+  scene.accel.kind = AccelKind::Bvh;
+  ddk::buildMorton(fives, Workers(1), scene.accel);
+  EXPECT_GT(scene.accel.bvhNodes.size(), fives.size() / 8 + 8);
+  std::vector<Hit> hits(rays.size());
+  createDevice("cpu", 1)->intersect(scene.update(), rays, hits);
+  EXPECT_GT(expectSame(hits, hitsWith(AccelKind::Exhaustive, fives, rays), "BVH of a frame"), 100u);
 }
 
 // The hits in a scene whose triangles are swapped for moved ones and whose tree is fitted to them.

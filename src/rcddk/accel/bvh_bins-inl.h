@@ -62,6 +62,11 @@ HWY_INLINE float doubledCentre(const BuildReference &reference, size_t axis) {
   return reference.box[4 + axis] - reference.box[axis];
 }
 
+// Sizes beyond float, or near nothing, make places that are no numbers.
+HWY_INLINE size_t placeIn(size_t count, float place) {
+  return static_cast<size_t>(std::min(place > 0 ? place : 0.0f, static_cast<float>(count - 1)));
+}
+
 // Maps doubled centres to bins. Few references get few bins: finding the best of many costs more than it saves.
 struct Binning {
   size_t count;
@@ -75,8 +80,7 @@ struct Binning {
     }
   }
   HWY_INLINE size_t binOf(const BuildReference &reference, size_t axis) const {
-    const auto bin = static_cast<int32_t>((doubledCentre(reference, axis) - origin[axis]) * scale[axis]);
-    return std::min(static_cast<size_t>(std::max(bin, 0)), count - 1);
+    return placeIn(count, (doubledCentre(reference, axis) - origin[axis]) * scale[axis]);
   }
 };
 

@@ -31,8 +31,7 @@ struct Slabs {
     }
   }
   HWY_INLINE size_t slabOf(float x, size_t axis) const {
-    const auto slab = static_cast<int32_t>((x - origin[axis]) * scale[axis]);
-    return std::min(static_cast<size_t>(std::max(slab, 0)), kSlabs - 1);
+    return placeIn(kSlabs, (x - origin[axis]) * scale[axis]);
   }
   float border(size_t axis, size_t slab) const { return origin[axis] + width[axis] * static_cast<float>(slab); }
   // The slabs that the reference reaches into.

@@ -109,7 +109,8 @@ class KdBuilder {
     if (!(size > 0) || !std::isfinite(size)) return;
     const float scale = kBins * 0.9999f / size;
     const auto binOf = [&](float x) {
-      return static_cast<size_t>(std::clamp((x - lower) * scale, 0.0f, kBins - 1.0f));
+      const float place = (x - lower) * scale;  // of a size near nothing it may be no number
+      return static_cast<size_t>(std::min(place > 0 ? place : 0.0f, kBins - 1.0f));
     };
     std::array<size_t, kBins> begins{}, ends{};
     for (const Reference &reference : references) {

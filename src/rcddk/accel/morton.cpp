@@ -99,7 +99,8 @@ class MortonBuilder {
     const auto place = static_cast<uint32_t>(mOut.bvhNodes.size());
     mOut.bvhNodes.emplace_back();
     for (uint32_t i = 0; i < BvhNode8::kWidth; ++i) {
-      setChild(mOut.bvhNodes[place], i, Bounds(), i < count ? subtree(borders[i], borders[i + 1]) : 0);
+      const uint32_t child = i < count ? subtree(borders[i], borders[i + 1]) : 0;
+      setChild(mOut.bvhNodes[place], i, Bounds(), child);  // only now: the subtree may have moved the nodes
     }
     return place;
   }

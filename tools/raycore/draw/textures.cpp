@@ -90,7 +90,7 @@ bool Textures::bindColour(const Material &material) {
   if (!material.baseTexture.used() && !material.emissiveTexture.used() && !sheer) return false;
   // A mask: the alpha that just passes is opaque, and the alpha test of the draw lets only opaque points stand.
   const bool mask = material.alphaMode == AlphaMode::Mask;
-  const RCint opaque = mask ? std::clamp(int(std::ceil(material.alphaCutoff * 255)), 1, 255) : 255;
+  const RCint opaque = mask ? int(std::ceil(std::clamp(material.alphaCutoff * 255, 1.0f, 255.0f))) : 255;
   const TextureUse &place = placeOf(material);
   const Texture texture = place.used() ? mScene.textures[size_t(place.texture)] : Texture{};
   upload(RC_TEXTURE_2D, colourOf(material), texture, opaque);
