@@ -6,6 +6,7 @@ option(RAYCORE_PACKAGES "Debian packages by cpack: the preset package" OFF)
 option(RAYCORE_TOOLS "Build the command raycore, where what it needs is found" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_BINDINGS "Build the Python package, where what it needs is found" ${PROJECT_IS_TOP_LEVEL})
 option(RAYCORE_WERROR "Warnings are errors" ${PROJECT_IS_TOP_LEVEL})
+option(RAYCORE_HARDENING "Stack protector, fortified C library, read-only relocations; cmake/Hardening.cmake" ON)
 option(RAYCORE_GLVND "Build libEGL_raycore.so.0, the vendor library for libglvnd, where its header is" ON)
 set(RAYCORE_SANITIZE "" CACHE STRING "Sanitizers, as -fsanitize= takes them: address,undefined or thread")
 
