@@ -97,6 +97,44 @@ Mesh makeMoving(Vertices vertices) {
 
 constexpr int kBallCells = 71;  // 10,082 triangles
 
+// Balls side by side under the vault of the hall, each of 2 * 7 * 7 triangles.
+void makeSwarm(FrameScene &scene) {
+  const Mesh ball = makeMoving(makeBall(7));
+  for (int i = 0; i < 100; ++i) {
+    Mesh copy = ball;
+    for (Vec3 &v : copy.vertices) {
+      v = kMovingFoot + 0.12f * (v - kMovingFoot) + Vec3(float(i % 10) - 4.5f, 0.6f * float(i / 10), 0) * 0.6f;
+    }
+    scene.moving.push_back(std::move(copy));
+  }
+}
+
+std::optional<FrameScene> hills(const std::string &name, const std::string &folder) {
+  const std::optional<Soup> soup = loadSoup(name, folder);
+  if (!soup) return std::nullopt;
+  return FrameScene{name, name, {{soup->vertices, {}, {}}}, {}, soup->camera, {soup->light}};
+}
+
+// The first is the bunny's own light, the others stand about the bunny in a ring.
+std::optional<FrameScene> underLights(const std::string &name, const std::string &folder, int count) {
+  std::optional<FrameScene> scene = loadFrameScene("bunny", folder);
+  if (!scene) return std::nullopt;
+  for (int i = 1; i < count; ++i) {
+    const float angle = 0.8f * float(i);
+    scene->lights.push_back({3 * std::cos(angle), 3, 3 * std::sin(angle)});
+  }
+  scene->name = name;
+  return scene;
+}
+
+std::optional<FrameScene> roomOfMirrors(const std::string &name, const std::string &folder, int bounces) {
+  std::optional<FrameScene> scene = loadFrameScene("cornell", folder);
+  for (Mesh &mesh : scene->meshes) mesh.surface.reflection = 0.85f;
+  scene->name = name;
+  scene->bounces = bounces;
+  return scene;
+}
+
 bool writeSoup(const std::string &path, const Vertices &vertices) {
   std::FILE *file = std::fopen(path.c_str(), "wb");
   if (!file) return false;
@@ -109,14 +147,24 @@ bool writeSoup(const std::string &path, const Vertices &vertices) {
 }  // namespace
 
 std::optional<FrameScene> loadFrameScene(const std::string &name, const std::string &folder) {
-  const bool moves = name.starts_with("dyn"), hall = moves || name.starts_with("sponza");
+  if (const size_t digits = name.find_first_of("0123456789"); digits != 0 && digits != std::string::npos) {
+    const int number = std::atoi(name.c_str() + digits);
+    const std::string kind = name.substr(0, digits);
+    if (kind == "hills") return hills(name, folder);
+    if (kind == "lights") return underLights(name, folder, number);
+    if (kind == "bounces") return roomOfMirrors(name, folder, number);
+  }
+  const bool moves = name.starts_with("dyn"), hall = moves || name.starts_with("sponza") || name == "swarm";
   const std::optional<Soup> soup = loadSoup(hall ? "sponza" : name, folder);
   if (!soup) return std::nullopt;
-  FrameScene scene{name, name, {}, {}, soup->camera, soup->light};
+  FrameScene scene{name, name, {}, {}, soup->camera, {soup->light}};
   if (name == "cornell") {
     makeCornell(*soup, scene);
   } else if (name == "bunny") {
     makeBunny(*soup, scene);
+  } else if (name == "swarm") {
+    makeSponza(*soup, std::nullopt, scene);
+    makeSwarm(scene);
   } else if (!moves) {
     const Surface mirror{Vec3(0.4f), 0.3f, 60, 0.5f};
     makeSponza(*soup, name == "sponzamirror" ? std::optional(mirror) : std::nullopt, scene);

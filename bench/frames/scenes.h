@@ -26,10 +26,13 @@ struct FrameScene {
   std::vector<Mesh> meshes;  // static
   std::vector<Mesh> moving;  // drawn anew for each frame
   Camera camera;
-  Vec3 light;
+  std::vector<Vec3> lights;
+  int bounces = 14;
 };
 
-// "cornell", "bunny", "sponza", "sponzamirror", "dyn70k", "dyn10k". Nothing where a file is missing.
+// Those that the peer has too: "cornell", "bunny", "sponza", "sponzamirror", "dyn70k", "dyn10k". Ours alone: "swarm",
+// 100 balls of 100 triangles that move one by one in Sponza; with a number behind it, "hills" of so many triangles,
+// "lights" over a bunny, "bounces" in a room of mirrors. Nothing where a file is missing.
 std::optional<FrameScene> loadFrameScene(const std::string &name, const std::string &folder);
 
 // The moving mesh at a frame: turns about an axis and breathes.

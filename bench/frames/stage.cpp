@@ -37,22 +37,25 @@ Stage::~Stage() {
 
 void Stage::setUp() {
   const Camera &camera = mScene.camera;
-  const float position[] = {mScene.light.x, mScene.light.y, mScene.light.z, 1};
   static const float ambient[] = {0.15f, 0.15f, 0.15f, 1}, white[] = {1, 1, 1, 1};
   rcEnable(RC_LIGHTING);
-  rcEnable(RC_LIGHT0);
-  rcLightfv(RC_LIGHT0, RC_POSITION, position);
-  rcLightfv(RC_LIGHT0, RC_AMBIENT, ambient);
-  rcLightfv(RC_LIGHT0, RC_DIFFUSE, white);
-  rcLightfv(RC_LIGHT0, RC_SPECULAR, white);
+  for (size_t i = 0; i < mScene.lights.size(); ++i) {
+    const auto light = RCenum(RC_LIGHT0 + i);
+    const float position[] = {mScene.lights[i].x, mScene.lights[i].y, mScene.lights[i].z, 1};
+    rcEnable(light);
+    rcLightfv(light, RC_POSITION, position);
+    rcLightfv(light, RC_AMBIENT, ambient);
+    rcLightfv(light, RC_DIFFUSE, white);
+    rcLightfv(light, RC_SPECULAR, white);
+  }
   rcClearColor(0.1f, 0.15f, 0.25f, 1);
   rcuPerspective(camera.degrees, float(mWidth) / float(mHeight), 0.01f, 10000);
   rcuLookAt(camera.eye.x, camera.eye.y, camera.eye.z, camera.at.x, camera.at.y, camera.at.z, 0, 1, 0);
-  rcDepthBounce(14);
+  rcDepthBounce(mScene.bounces);
   rcStaticSceneBegin();
   for (const Mesh &mesh : mScene.meshes) drawMesh(mesh, mesh.vertices, makeMaterial(mesh.surface));
   rcStaticSceneEnd();
-  for (const Mesh &mesh : mScene.moving) mMovingMaterial = makeMaterial(mesh.surface);
+  if (!mScene.moving.empty()) mMovingMaterial = makeMaterial(mScene.moving[0].surface);
 }
 
 RCuint Stage::makeMaterial(const Surface &surface) const {
@@ -81,10 +84,11 @@ void Stage::drawMesh(const Mesh &mesh, const std::vector<Vec3> &vertices, RCuint
 }
 
 FrameTimes Stage::draw(int frame) {
-  for (const Mesh &mesh : mScene.moving) deform(mesh, frame, mDeformed);
+  mDeformed.resize(mScene.moving.size());
+  for (size_t i = 0; i < mDeformed.size(); ++i) deform(mScene.moving[i], frame, mDeformed[i]);
   FrameTimes times;
   const Stopwatch submitting;
-  for (const Mesh &mesh : mScene.moving) drawMesh(mesh, mDeformed, mMovingMaterial);
+  for (size_t i = 0; i < mDeformed.size(); ++i) drawMesh(mScene.moving[i], mDeformed[i], mMovingMaterial);
   if (mScene.moving.empty()) rcClearColor(0.1f, 0.15f, frame % 2 ? 0.25f : 0.26f, 1);  // else nothing has changed
   times.submit = submitting.milliseconds();
   const Stopwatch finishing;

@@ -36,7 +36,7 @@ class Stage {
   int mWidth, mHeight;
   void *mDisplay = nullptr, *mContext = nullptr, *mSurface = nullptr;
   RCuint mMovingMaterial = 0;
-  std::vector<Vec3> mDeformed;
+  std::vector<std::vector<Vec3>> mDeformed;
 };
 
 }  // namespace rc::bench

@@ -21,6 +21,11 @@ inline std::string nameOf(RayKind kind) {
   return kNames[size_t(kind)];
 }
 
+inline std::string nameOf(AccelKind kind) {
+  static constexpr const char *kNames[] = {"KdTree", "Bvh", "Exhaustive"};
+  return kNames[size_t(kind)];
+}
+
 // From one point through a window, in rows of 16 as tiles have them.
 inline std::vector<hal::Ray> cameraRays(size_t count, const Vec3 &eye, const Vec3 &forward, const Vec3 &side) {
   const Vec3 up = glm::cross(side, forward);

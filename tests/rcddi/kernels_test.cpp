@@ -67,15 +67,16 @@ size_t compareBlocked(const SceneView &scene, const SceneView &plain, std::span<
 }
 
 // A scene of two sets, so that primitive numbers run on; every seventh triangle filters light.
-class Kernels : public testing::TestWithParam<RayKind> {
+class Kernels : public testing::TestWithParam<std::tuple<RayKind, AccelKind>> {
  protected:
   void compare(const Triangles &statics, const Triangles &dynamics, size_t count) {
-    TestScene scene(filtering(statics)), second(filtering(dynamics));
+    const auto [rayKind, accelKind] = GetParam();
+    TestScene scene(filtering(statics), accelKind), second(filtering(dynamics), accelKind);
     SceneView view = scene.update();
     view.geometry[1] = second.update().geometry[0];
     SceneView plain = view;
     for (GeometryView &geometry : plain.geometry) geometry.accel = {};
-    const std::vector<Ray> rays = raysOf(GetParam(), count, view);
+    const std::vector<Ray> rays = raysOf(rayKind, count, view);
     EXPECT_GT(compareHits(view, plain, rays), rays.size() / 20) << "the rays miss nearly everything";
     compareBlocked(view, plain, rays, 0.7f);
   }
@@ -95,8 +96,12 @@ TEST_P(Kernels, GridWhoseLinesTheRaysFollow) {
 }
 TEST_P(Kernels, FewTriangles) { compare({triangle({-2, -2, 0}, {2, -2, 0}, {0, 2, 0})}, soup(6, 1), kRays); }
 
-INSTANTIATE_TEST_SUITE_P(RAYCORE_RAYS, Kernels, testing::ValuesIn(kAllRayKinds),
-                         [](const auto &kind) { return nameOf(kind.param); });
+INSTANTIATE_TEST_SUITE_P(RAYCORE_RAYS, Kernels,
+                         testing::Combine(testing::ValuesIn(kAllRayKinds),
+                                          testing::Values(AccelKind::Bvh, AccelKind::KdTree)),
+                         [](const auto &test) {
+                           return nameOf(std::get<RayKind>(test.param)) + nameOf(std::get<AccelKind>(test.param));
+                         });
 
 #ifndef RAYCORE_MANY_RAYS
 // Numbers beyond what margins cover: the scalar unit takes over.

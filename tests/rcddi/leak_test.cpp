@@ -38,14 +38,16 @@ std::vector<hal::Ray> raysAtEdges(const hal::SceneView &scene, size_t count, uin
   return rays;
 }
 
-TEST(RAYCORE_LEAKS, NoRayPassesBetweenTriangles) {
+class RAYCORE_LEAKS : public testing::TestWithParam<AccelKind> {};
+
+TEST_P(RAYCORE_LEAKS, NoRayPassesBetweenTriangles) {
   constexpr size_t kPart = 16384;
 #ifdef RAYCORE_MANY_RAYS
   const size_t parts = raysFromEnvironment(1000000) / kPart + 1;
 #else
   const size_t parts = 1;
 #endif
-  TestScene scene(sphere(24));
+  TestScene scene(sphere(24), GetParam());
   const hal::SceneView view = scene.update();
   for (size_t part = 0; part < parts; ++part) {
     const Columns columns(raysAtEdges(view, kPart, uint32_t(part)));
@@ -56,6 +58,9 @@ TEST(RAYCORE_LEAKS, NoRayPassesBetweenTriangles) {
     });
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(BothStructures, RAYCORE_LEAKS, testing::Values(AccelKind::Bvh, AccelKind::KdTree),
+                         [](const auto &kind) { return nameOf(kind.param); });
 
 }  // namespace
 }  // namespace rc::test

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // group-inl.h: 256 rays of a stream: sorted into classes of direction, each class by beams of all its packets, of one
-// packet, or ray by ray: whichever the spread of its rays allows.
+// packet, or ray by ray: whichever the spread of its rays allows. Through a KD-tree, packets.
 #if defined(RAYCORE_KERNELS_GROUP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_KERNELS_GROUP_INL
 #undef RAYCORE_KERNELS_GROUP_INL
@@ -12,6 +12,7 @@
 
 #include "rcddi/cpu/kernels/beam_setup-inl.h"
 #include "rcddi/cpu/kernels/beam_walk-inl.h"
+#include "rcddi/cpu/kernels/kd_walk-inl.h"
 #include "rcddi/cpu/kernels/lanes_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -67,10 +68,23 @@ HWY_INLINE bool isTame(const Batch &batch, float extent) {
 }
 
 template <bool kAny>
+HWY_INLINE void walkKdTree(const Geometry &geometry, Batch &batch) {
+  for (size_t packet = 0; packet < batch.packets; ++packet) {
+    if (batch.common) {
+      walkKdTree<kAny, true>(geometry, batch, packet);
+    } else {
+      walkKdTree<kAny, false>(geometry, batch, packet);
+    }
+  }
+}
+
+template <bool kAny>
 HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
   const Bounds &bounds = geometry.view.accel.bounds;
   const float extent = maxComponent(glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper)));
-  if (!isTame(batch, extent)) return traceWithUnit<kAny>(geometry, batch);
+  const AccelKind kind = geometry.view.accel.kind;
+  if (kind == AccelKind::Exhaustive || !isTame(batch, extent)) return traceWithUnit<kAny>(geometry, batch);
+  if (kind == AccelKind::KdTree) return walkKdTree<kAny>(geometry, batch);
   const bool endless = !kAny && geometry.base == 0;  // rays end where they hit another geometry
   Beam beam;
   makeBeam(batch, bounds, widest(geometry.view.triangles.size()), endless, beam);
@@ -110,7 +124,7 @@ template <bool kAny>
 HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, size_t first, hal::Hit *hits, uint8_t *blocked) {
   uint32_t base = 0;
   for (const hal::GeometryView &geometry : scene.geometry) {
-    if (!geometry.accel.bvhNodes.empty()) traceBatch<kAny>({geometry, base}, batch);
+    if (!geometry.triangles.empty()) traceBatch<kAny>({geometry, base}, batch);
     base += static_cast<uint32_t>(geometry.triangles.size());
   }
   deliver<kAny>(batch, first, hits, blocked);
@@ -173,24 +187,8 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
 template <bool kAny>
 inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, hal::Hit *hits,
                         uint8_t *blocked) {
-  bool wide = true;
-  for (const hal::GeometryView &geometry : scene.geometry) {
-    wide &= geometry.triangles.empty() || geometry.accel.kind == AccelKind::Bvh;
-  }
-  if (wide) {
-    for (size_t first = 0; first < rays.count; first += kBatchRays) {
-      traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, hits, blocked);
-    }
-    return;
-  }
-  for (size_t i = 0; i < rays.count; ++i) {
-    const hal::Ray ray{{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
-                       {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}};
-    if constexpr (kAny) {
-      blocked[i] = hal::blockedByOpaque(scene, ray, tMax[i]);
-    } else {
-      hits[i] = hal::closestHit(scene, ray);
-    }
+  for (size_t first = 0; first < rays.count; first += kBatchRays) {
+    traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, hits, blocked);
   }
 }
 

@@ -57,6 +57,19 @@ HWY_INLINE uint32_t addBlock(const Geometry &geometry, const hal::TriangleBlock4
   return lanes << first;
 }
 
+// A triangle as the first of the lanes.
+template <bool kCommon>
+HWY_INLINE void setTriangle(const Geometry &geometry, const Batch &batch, uint32_t primitive, TriangleLanes &out) {
+  const hal::HotTriangle &triangle = geometry.view.triangles[primitive];
+  const Vec3 *vertices[] = {&triangle.v0, &triangle.v1, &triangle.v2};
+  const int axes[3] = {batch.kx, batch.ky, batch.kz};
+  for (size_t k = 0; k < 3; ++k) {
+    const float origin = kCommon ? batch.origin[axes[k]][0] : 0;
+    for (size_t v = 0; v < 3; ++v) out.corners[v][k][0] = (*vertices[v])[axes[k]] - origin;
+  }
+  out.primitive[0] = primitive;
+}
+
 template <bool kCommon>
 HWY_INLINE Corner<hn::Vec<D16>> shear(const Batch &batch, const float (&vertex)[3][kLanes], size_t lane, size_t i) {
   const D16 d;
