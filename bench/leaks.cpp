@@ -70,7 +70,7 @@ size_t shoot(const bench::Soup &soup, size_t wanted) {
   test::TestScene bvh(triangles), kdTree(triangles, AccelKind::KdTree);
   const auto device = hal::createDevice("cpu", 1);
   const int64_t targets = hwy::SupportedTargets();
-  std::vector<Count> counts{{"KD-tree, scalar"}, {"BVH, scalar"}};
+  std::vector<Count> counts{{"KD-tree, cpu"}, {"BVH, scalar"}};
   for (int64_t rest = targets; rest; rest &= rest - 1) {
     counts.push_back({std::string("BVH, ") + hwy::TargetName(rest & -rest)});
   }
