@@ -133,7 +133,7 @@ inline ddk::ArrayView viewOf(const ClientArray &array) {
     view.data = static_cast<const std::byte *>(array.pointer);
     return view;
   }
-  const std::vector<std::byte> &bytes = array.buffer->bytes;
+  const Array<std::byte> &bytes = array.buffer->bytes;
   const auto offset = reinterpret_cast<size_t>(array.pointer);
   const auto element = size_t(elementBytes(array));
   // An emptied buffer has no address; the array is on all the same.

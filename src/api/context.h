@@ -6,13 +6,13 @@
 #pragma once
 
 #include <atomic>
-#include <mutex>
 #include <string>
 
 #include "api/material_table.h"
 #include "api/name_table.h"
 #include "api/profile.h"
 #include "api/state.h"
+#include "base/fork.h"
 #include "rcddk/driver.h"
 
 namespace rc::api {
@@ -32,7 +32,7 @@ class DrawSurface {
 // What contexts of one share group have in common.
 struct SharedObjects {
   // Held by every call of every context of the group, so that contexts on several threads can share objects.
-  std::recursive_mutex mutex;
+  ForkMutex mutex;
   NameTable<ddk::Texture> textures;
   NameTable<Buffer> buffers;
   MaterialTable materials{textures.bind(0)};

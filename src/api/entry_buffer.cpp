@@ -91,7 +91,7 @@ void rcBufferData(RCenum target, RCsizeiptr size, const RCvoid *data, RCenum usa
     Buffer *buffer = findBound(context, *binding);
     if (!buffer) return;
     if (size > kLargestBuffer) return context.fail(RC_OUT_OF_MEMORY, "size is %ld, more than there can be", size);
-    std::vector<std::byte> bytes(static_cast<size_t>(size));
+    Array<std::byte> bytes(static_cast<size_t>(size));
     if (data && size > 0) std::memcpy(bytes.data(), data, bytes.size());
     buffer->bytes = std::move(bytes);
     buffer->usage = usage;

@@ -65,7 +65,7 @@ ddk::Texture &currentTexture(Context &context) {
   return *state.bound[state.last].texture;
 }
 
-void load(Context &context, std::vector<uint32_t> texels, RCsizei width, RCsizei height, RCenum format) {
+void load(Context &context, ddk::Texels texels, RCsizei width, RCsizei height, RCenum format) {
   ddk::Texture &texture = currentTexture(context);
   texture.image = ddk::makeImage(std::move(texels), width, height, context.state.texture.generateMipmap);
   texture.format = format;
@@ -120,7 +120,7 @@ bool checkPart(Context &context, RCint level, const hal::PixelRect &part) {
   return inside;
 }
 
-void replacePart(Context &context, const hal::PixelRect &part, const std::vector<uint32_t> &texels) {
+void replacePart(Context &context, const hal::PixelRect &part, const ddk::Texels &texels) {
   if (texels.empty()) return;
   ddk::replacePart(currentTexture(context).image, part, texels);
   context.touch();
@@ -141,15 +141,14 @@ void texSubImage(Context &context, RCint level, const hal::PixelRect &part, RCen
 }
 
 // Texels out of the picture, transparent black beside it; nothing, and an error, where there is no surface.
-std::optional<std::vector<uint32_t>> copyPicture(Context &context, RCint x, RCint y, const hal::PixelRect &part,
-                                                 RCenum format) {
+std::optional<ddk::Texels> copyPicture(Context &context, RCint x, RCint y, const hal::PixelRect &part, RCenum format) {
   const hal::Target picture = context.picture();
   if (!picture.pixels) {
     context.fail(RC_INVALID_OPERATION, "there is no surface to copy from");
     return std::nullopt;
   }
   const uint32_t alpha = uint32_t{context.state.texture.alpha} << 24;
-  std::vector<uint32_t> texels(size_t(part.columns) * size_t(part.rows));
+  ddk::Texels texels(size_t(part.columns) * size_t(part.rows));
   for (size_t i = 0; i < texels.size(); ++i) {
     const auto column = int64_t(i % size_t(part.columns)), row = int64_t(i / size_t(part.columns));
     const uint32_t *pixel = pictureAt(picture, x + column, y + row);

@@ -9,6 +9,8 @@
 
 #include "api/context.h"
 #include "api/trace.h"
+#include "base/float_mode.h"
+#include "base/memory.h"
 
 namespace rc::api {
 
@@ -19,10 +21,13 @@ RCenum takeMissingContext();
 // Runs body(context) under the lock of the share group; its result, or a zero where there is no memory.
 template <class Body>
 auto guarded(const char *function, Context &context, Body &&body) noexcept -> decltype(body(context)) {
+  const FloatMode mode;
   try {
     const std::lock_guard lock(context.objects().mutex);
     context.enterFunction(function);
     return body(context);
+  } catch (const MemoryRefused &refused) {
+    context.fail(RC_OUT_OF_MEMORY, "%s", refused.what());
   } catch (const std::bad_alloc &) {
     context.fail(RC_OUT_OF_MEMORY, "there is not enough memory");
   } catch (const std::exception &error) {

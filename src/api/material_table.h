@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "RC/rctypes.h"
+#include "base/memory.h"
 #include "rcddk/material.h"
 
 namespace rc::api {
@@ -54,7 +55,7 @@ class MaterialTable {
   }
 
  private:
-  std::vector<ddk::Material> mRows;  // row 0 is not used
+  Array<ddk::Material> mRows;  // row 0 is not used
   std::vector<bool> mInUse;
   std::shared_ptr<ddk::Texture> mTexture0;
 };

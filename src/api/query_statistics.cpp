@@ -45,7 +45,7 @@ size_t bytesOfTriangles(const ddk::GeometrySet &set) {
 size_t bytesOfTextures(const Context &context) {
   size_t bytes = 0;
   context.objects().textures.forEach([&](const ddk::Texture &texture) {
-    for (const std::vector<uint32_t> &level : texture.image.levels) bytes += level.size() * sizeof(uint32_t);
+    for (const ddk::Texels &level : texture.image.levels) bytes += level.size() * sizeof(uint32_t);
   });
   return bytes;
 }

@@ -12,6 +12,7 @@
 #include "RC/rctokens.h"
 #include "RC/rctypes.h"
 #include "api/matrix_stack.h"
+#include "base/memory.h"
 #include "rcddk/camera.h"
 #include "rcddk/light.h"
 #include "rcddk/material.h"
@@ -56,7 +57,7 @@ struct TextureState {
 
 // A buffer object: client arrays and indices in memory of ours. [reference 4.7]
 struct Buffer {
-  std::vector<std::byte> bytes;
+  Array<std::byte> bytes;
   RCenum usage = RC_STATIC_DRAW;
 };
 

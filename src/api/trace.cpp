@@ -6,10 +6,10 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
-#include <mutex>
 
 #include "api/functions.h"
 #include "api/tokens.h"
+#include "base/fork.h"
 #include "base/settings.h"
 
 namespace rc::api {
@@ -119,7 +119,7 @@ void traceCall(const char *function, const std::vector<Traced> &arguments, const
 }
 
 void traceLine(const std::string &line) {
-  static std::mutex mutex;
+  static auto &mutex = *new ForkMutex;
   const std::lock_guard lock(mutex);
   std::fprintf(traceFile(), "%s\n", line.c_str());
 }

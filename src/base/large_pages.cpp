@@ -2,9 +2,6 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "base/large_pages.h"
 
-#include <cstdlib>
-#include <new>
-
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
@@ -14,20 +11,20 @@ namespace {
 
 constexpr size_t kCacheLine = 64, kLargePage = size_t(2) << 20;
 
+size_t unitOf(size_t bytes) { return bytes < kLargePage ? kCacheLine : kLargePage; }
+size_t rounded(size_t bytes) { return (bytes + unitOf(bytes) - 1) / unitOf(bytes) * unitOf(bytes); }
+
 }  // namespace
 
 void *allocateLarge(size_t bytes) {
-  const size_t unit = bytes < kLargePage ? kCacheLine : kLargePage;
-  const size_t rounded = (bytes + unit - 1) / unit * unit;
-  void *memory = rounded < bytes ? nullptr : std::aligned_alloc(unit, rounded);
-  if (!memory) throw std::bad_alloc();
+  void *memory = allocateCounted(rounded(bytes), unitOf(bytes));
 #if defined(__linux__)
   // A wish: without it everything works, slower.
-  if (unit == kLargePage) madvise(memory, rounded, MADV_HUGEPAGE);
+  if (unitOf(bytes) == kLargePage) madvise(memory, rounded(bytes), MADV_HUGEPAGE);
 #endif
   return memory;
 }
 
-void freeLarge(void *memory) noexcept { std::free(memory); }
+void freeLarge(void *memory, size_t bytes) noexcept { freeCounted(memory, rounded(bytes), unitOf(bytes)); }
 
 }  // namespace rc

@@ -5,14 +5,13 @@
 // two megabytes where the system lends them, so that fewer addresses have to be translated.
 #pragma once
 
-#include <cstddef>
-#include <vector>
+#include "base/memory.h"
 
 namespace rc {
 
-// 64-byte aligned. Throws std::bad_alloc.
+// 64-byte aligned. Throws std::bad_alloc. Freed with the same number.
 void *allocateLarge(size_t bytes);
-void freeLarge(void *memory) noexcept;
+void freeLarge(void *memory, size_t bytes) noexcept;
 
 template <class T>
 struct LargePages {
@@ -22,8 +21,11 @@ struct LargePages {
   template <class U>
   LargePages(const LargePages<U> &) noexcept {}
 
-  T *allocate(size_t count) { return static_cast<T *>(allocateLarge(count * sizeof(T))); }
-  void deallocate(T *memory, size_t) noexcept { freeLarge(memory); }
+  T *allocate(size_t count) {
+    if (count > PTRDIFF_MAX / sizeof(T)) throw std::bad_array_new_length();
+    return static_cast<T *>(allocateLarge(count * sizeof(T)));
+  }
+  void deallocate(T *memory, size_t count) noexcept { freeLarge(memory, count * sizeof(T)); }
   friend bool operator==(const LargePages &, const LargePages &) { return true; }
 };
 

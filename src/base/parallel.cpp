@@ -9,6 +9,13 @@
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "base/float_mode.h"
+#include "base/fork.h"
+
 #ifdef RC_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -36,33 +43,82 @@ class Handover {
   char mThere = 0, mBack = 0;
 };
 
+// Arenas that nobody uses, by their number of threads. oneTBB does not give back all of an arena's memory, so they are
+// used again: there are never more than there were Workers at the same time. Never destroyed, as Workers may outlive
+// static objects.
+class Arenas {
+ public:
+  std::unique_ptr<tbb::task_arena> take(int threads) {
+    const std::lock_guard lock(mMutex);
+    const auto found = std::find_if(mFree.begin(), mFree.end(),
+                                    [&](const auto &arena) { return arena->max_concurrency() == threads; });
+    if (found == mFree.end()) {
+      mFree.reserve(++mAll);
+      return std::make_unique<tbb::task_arena>(threads);
+    }
+    std::unique_ptr<tbb::task_arena> arena = std::move(*found);
+    mFree.erase(found);
+    return arena;
+  }
+  void giveBack(std::unique_ptr<tbb::task_arena> arena) noexcept {
+    const std::lock_guard lock(mMutex);
+    mFree.push_back(std::move(arena));  // there is room: take() has made it
+  }
+
+ private:
+  ForkMutex mMutex;
+  std::vector<std::unique_ptr<tbb::task_arena>> mFree;
+  size_t mAll = 0;
+};
+
+Arenas &arenas() {
+  static auto &arenas = *new Arenas;
+  return arenas;
+}
+
 }  // namespace
 
 struct Workers::Impl {
-  explicit Impl(int threads)
-      : allowance(tbb::global_control::max_allowed_parallelism, size_t(threads)), arena(threads) {}
+  explicit Impl(int threads) : count(threads) {
+    noteThreads();
+    // More threads than the machine has cores must be allowed, for the whole process. Fewer need no such thing: it
+    // would bind the program's own use of oneTBB.
+    if (threads > tbb::info::default_concurrency()) {
+      allowance.emplace(tbb::global_control::max_allowed_parallelism, size_t(threads));
+    }
+    arena = arenas().take(threads);
+  }
+  ~Impl() { arenas().giveBack(std::move(arena)); }
 
-  // Lets the arena have more threads than the machine has cores. It holds for the whole process.
-  tbb::global_control allowance;
-  tbb::task_arena arena;
+  int count;
+  std::optional<tbb::global_control> allowance;
+  std::unique_ptr<tbb::task_arena> arena;
 };
 
 Workers::Workers(int threads)
     : mImpl(std::make_unique<Impl>(threads > 0 ? threads : tbb::info::default_concurrency())) {}
 
-Workers::~Workers() = default;
+// In the child of a fork nothing is known about the arena.
+Workers::~Workers() {
+  if (threadsLostInFork()) static_cast<void>(mImpl.release());
+}
 
-int Workers::threads() const { return mImpl->arena.max_concurrency(); }
+int Workers::threads() const { return mImpl->count; }
 
 void Workers::forEach(size_t count, const std::function<void(size_t i, int worker)> &body) const {
+  if (threadsLostInFork()) {
+    for (size_t i = 0; i < count; ++i) body(i, 0);
+    return;
+  }
   Handover handover;
   handover.give();
   // One index a task: tiles differ in cost, and stealing single ones keeps all threads busy to the end.
-  mImpl->arena.execute([&] {
+  mImpl->arena->execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<size_t>(0, count, 1),
         [&](const tbb::blocked_range<size_t> &range) {
           handover.take();
+          const FloatMode mode;
           const int worker = tbb::this_task_arena::current_thread_index();
           for (size_t i = range.begin(); i != range.end(); ++i) body(i, worker);
           handover.finish();
@@ -73,10 +129,12 @@ void Workers::forEach(size_t count, const std::function<void(size_t i, int worke
 }
 
 void Workers::run(const std::function<void()> &body) const {
+  if (threadsLostInFork()) return body();
   Handover handover;
   handover.give();
-  mImpl->arena.execute([&] {
+  mImpl->arena->execute([&] {
     handover.take();
+    const FloatMode mode;
     body();
     handover.finish();
   });
@@ -84,10 +142,15 @@ void Workers::run(const std::function<void()> &body) const {
 }
 
 void both(const std::function<void()> &first, const std::function<void()> &second) {
+  if (threadsLostInFork()) {
+    first();
+    return second();
+  }
   Handover handover;
   handover.give();
   const auto handedOver = [&](const std::function<void()> &task) {
     handover.take();
+    const FloatMode mode;
     task();
     handover.finish();
   };

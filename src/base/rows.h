@@ -7,16 +7,16 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
-#include <vector>
+
+#include "base/memory.h"
 
 namespace rc {
 
 template <class T>
-struct NoFill : std::allocator<T> {
+struct NoFill : Counted<T> {
+  NoFill() = default;
   template <class U>
-  struct rebind {
-    using other = NoFill<U>;
-  };
+  NoFill(const NoFill<U> &) noexcept {}
 
   template <class U>
   void construct(U *place) noexcept(std::is_nothrow_default_constructible_v<U>) {

@@ -2,11 +2,14 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "base/settings.h"
 
+#include <strings.h>
+
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <span>
+#include <optional>
 
 namespace rc {
 namespace {
@@ -26,7 +29,24 @@ constexpr Choice<LogLevel> kLogLevels[] = {{"off", LogLevel::Off},
                                            {"debug", LogLevel::Debug}};
 constexpr Choice<const char *> kProfiles[] = {{"guide", "guide"}, {"1000", "1000"}, {"mc", "mc"}};
 constexpr Choice<const char *> kDevices[] = {{"cpu", "cpu"}, {"ref", "ref"}, {"null", "null"}};
+constexpr Choice<const char *> kInstructionSetChoices[] = {
+    {"baseline", "baseline"}, {"ssse3", "ssse3"}, {"sse4", "sse4"}, {"avx2", "avx2"}, {"avx512", "avx512"}};
 constexpr Choice<bool> kSwitch[] = {{"0", false}, {"1", true}};
+
+constexpr Choice<int> kByteUnits[] = {{"", 0}, {"K", 10}, {"M", 20}, {"G", 30}, {"T", 40}};
+
+std::optional<uint64_t> parseBytes(const char *text) {
+  if (!std::strcmp(text, "none")) return UINT64_MAX;
+  double number = 0;
+  const auto [rest, error] = std::from_chars(text, text + std::strlen(text), number, std::chars_format::fixed);
+  if (error != std::errc()) return std::nullopt;
+  for (const Choice<int> &unit : kByteUnits) {
+    if (strcasecmp(unit.name, rest) != 0) continue;
+    const double bytes = std::ldexp(number, unit.value);
+    if (bytes >= 1 && bytes < 0x1p63) return static_cast<uint64_t>(bytes);
+  }
+  return std::nullopt;
+}
 
 class Reader {
  public:
@@ -60,6 +80,17 @@ class Reader {
     target = value;
   }
 
+  // Bytes, also as "512M" or "1.5G"; "none" is as good as everything.
+  void bytes(const char *name, uint64_t &target) const {
+    const char *text = mLookup(name);
+    if (!text || !*text) return;
+    if (const std::optional<uint64_t> value = parseBytes(text)) {
+      target = *value;
+    } else {
+      complain(name, text, "it is a number of bytes above 0, as 512M or 1.5G, or none");
+    }
+  }
+
   void text(const char *name, std::string &target) const {
     if (const char *text = mLookup(name)) target = text;
   }
@@ -82,6 +113,8 @@ Settings readSettings(EnvironmentLookup lookup, std::string &report) {
   reader.number("RAYCORE_THREADS", 1, 1024, settings.threads);
   reader.choice("RAYCORE_ACCEL", kAccelKinds, settings.accel);
   reader.choice("RAYCORE_PROFILE", kProfiles, settings.profile);
+  reader.choice("RAYCORE_INSTRUCTION_SET", kInstructionSetChoices, settings.instructionSet);
+  reader.bytes("RAYCORE_MEMORY_LIMIT", settings.memoryLimit);
   reader.number("RAYCORE_SAMPLES", 1, 64, settings.samples);
   reader.number("RAYCORE_FRAMES", 1, 1000000000, settings.frames);
   reader.text("RAYCORE_CAPTURE", settings.capture);

@@ -5,6 +5,7 @@
 // A value that makes no sense is reported on stderr and the default is used.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "base/log.h"
@@ -18,6 +19,8 @@ struct Settings {
   int threads = 0;                   // RAYCORE_THREADS: 1 ... 1024; 0 = as many as the machine has
   AccelKind accel = AccelKind::Bvh;  // RAYCORE_ACCEL=kdtree|bvh|none
   std::string profile = "guide";     // RAYCORE_PROFILE=guide|1000|mc
+  std::string instructionSet;        // RAYCORE_INSTRUCTION_SET: none better; empty = the best one there is
+  uint64_t memoryLimit = 0;          // RAYCORE_MEMORY_LIMIT, bytes; 0 = memory.h decides
   int samples = 1;                   // RAYCORE_SAMPLES: samples a pixel, 1 ... 64
   int frames = 0;                    // RAYCORE_FRAMES: the process ends after n swaps; 0 = never
   std::string capture;               // RAYCORE_CAPTURE: file.png, file.ppm, frame-%04d.png

@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <vector>
 
 #include "base/log.h"
+#include "base/memory.h"
 
 namespace rc::egl {
 namespace {
@@ -21,8 +21,8 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-std::vector<uint8_t> rgbOf(const hal::Target &picture) {
-  std::vector<uint8_t> rgb;
+Array<uint8_t> rgbOf(const hal::Target &picture) {
+  Array<uint8_t> rgb;
   const size_t pixels = size_t(picture.width) * size_t(picture.height);
   rgb.reserve(3 * pixels);
   for (size_t i = 0; i < pixels; ++i) {
@@ -32,13 +32,13 @@ std::vector<uint8_t> rgbOf(const hal::Target &picture) {
 }
 
 bool writePpm(std::FILE *file, const hal::Target &picture) {
-  const std::vector<uint8_t> rgb = rgbOf(picture);
+  const Array<uint8_t> rgb = rgbOf(picture);
   std::fprintf(file, "P6\n%d %d\n255\n", picture.width, picture.height);
   return std::fwrite(rgb.data(), 1, rgb.size(), file) == rgb.size();
 }
 
 bool writePng(std::FILE *file, const hal::Target &picture) {
-  const std::vector<uint8_t> rgb = rgbOf(picture);
+  const Array<uint8_t> rgb = rgbOf(picture);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = png_uint_32(picture.width);

@@ -58,8 +58,8 @@ bool belongsToAnotherDisplay(const Display &display, EGLContext context) {
       displays(), [&](const auto &other) { return other.get() != &display && other->contexts.find(context); });
 }
 
-std::recursive_mutex &displayMutex() {
-  static auto &mutex = *new std::recursive_mutex;
+ForkMutex &displayMutex() {
+  static auto &mutex = *new ForkMutex;
   return mutex;
 }
 

@@ -67,6 +67,6 @@ bool belongsToAnotherDisplay(const Display &display, EGLContext context);
 // EGL calls of all threads change displays one after the other. What takes long is not done under this lock: tracing,
 // waiting for the trace of a context that shares objects, for a window to appear, for a file to be written. Opening a
 // connection to the X server is, and so are short questions to it.
-std::recursive_mutex &displayMutex();
+ForkMutex &displayMutex();
 
 }  // namespace rc::egl

@@ -11,6 +11,7 @@
 #pragma GCC visibility pop
 #include <EGL/eglext.h>
 
+#include "base/float_mode.h"
 #include "egl/error.h"
 #include "egl/thread.h"
 
@@ -21,6 +22,7 @@ template <class Result, class Body>
 Result enterUnlocked(Result failure, Body &&body) noexcept {
   ThreadState &thread = threadState();
   thread.error = EGL_SUCCESS;
+  const FloatMode mode;
   try {
     return body(thread);
   } catch (const EglError &error) {

@@ -6,9 +6,9 @@
 
 #include <atomic>
 #include <memory>
-#include <vector>
 
 #include "api/context.h"
+#include "base/memory.h"
 #include "egl/handle_table.h"
 #include "egl/platform.h"
 #include "egl/surface_attributes.h"
@@ -59,8 +59,8 @@ class Surface final : public api::DrawSurface, public Handled {
   EGLint mKind;
   EGLNativeWindowType mNative;
   std::unique_ptr<NativeDrawable> mDrawable;
-  std::atomic<Size> mSize;        // read by any thread
-  std::vector<uint32_t> mPixels;  // RGBA8, the top row first; empty until they are needed
+  std::atomic<Size> mSize;  // read by any thread
+  Array<uint32_t> mPixels;  // RGBA8, the top row first; empty until they are needed
   std::atomic<bool> mGone = false;
   std::atomic<bool> mSwapped = false;
 };

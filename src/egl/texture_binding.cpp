@@ -8,8 +8,8 @@ namespace rc::egl {
 namespace {
 
 // Textures begin with the bottom row, surfaces with the top one. Texels without alpha get what rcTexImage2D gives them.
-std::vector<uint32_t> texelsOf(const hal::Target &picture, bool withAlpha, uint32_t alpha) {
-  std::vector<uint32_t> texels;
+ddk::Texels texelsOf(const hal::Target &picture, bool withAlpha, uint32_t alpha) {
+  ddk::Texels texels;
   texels.reserve(size_t(picture.width) * size_t(picture.height));
   for (int y = picture.height - 1; y >= 0; --y) {
     const uint32_t *row = picture.pixels + size_t(y) * size_t(picture.width);

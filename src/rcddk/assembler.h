@@ -97,8 +97,8 @@ class Assembler {
     } else if (mCall.normals.data && setNormals(corners, edges, attributes)) {
       triangle.flags |= hal::kHasNormals;
     }
-    mOut.triangles[mOut.count] = triangle;
     hal::setPlane(triangle, attributes);
+    mOut.triangles[mOut.count] = triangle;
     mOut.attributes[mOut.count] = attributes;
     ++mOut.count;
   }

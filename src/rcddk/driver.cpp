@@ -4,6 +4,7 @@
 
 #include <unordered_map>
 
+#include "base/instruction_set.h"
 #include "base/stopwatch.h"
 #include "rcddk/brightness.h"
 
@@ -46,7 +47,7 @@ class Snapshot {
   bool hasDefaultLight() const { return mDefaultLight; }
 
  private:
-  void rowsOf(std::span<const Material> materials, bool colourShadow, std::vector<hal::MaterialRow> &rows) {
+  void rowsOf(std::span<const Material> materials, bool colourShadow, Array<hal::MaterialRow> &rows) {
     rows.reserve(materials.size());
     for (const Material &material : materials) {
       rows.push_back(materialRow(material, colourShadow));
@@ -74,8 +75,8 @@ class Snapshot {
     return {set.triangles, set.attributes, captured, set.accel.view(), set.filtersShadow};
   }
 
-  std::vector<hal::MaterialRow> mNamed, mStaticCaptured, mDynamicCaptured;
-  std::vector<hal::TextureView> mTextures;
+  Array<hal::MaterialRow> mNamed, mStaticCaptured, mDynamicCaptured;
+  Array<hal::TextureView> mTextures;
   std::unordered_map<const Texture *, int32_t> mIndices;
   std::vector<hal::LightRow> mLights;
   bool mDefaultLight = false;
@@ -85,6 +86,7 @@ class Snapshot {
 }  // namespace
 
 Driver::Driver(const Settings &settings) : mAccelKind(settings.accel), mWorkers(settings.threads) {
+  limitInstructionSet(settings.instructionSet);
   mDevice = hal::createDevice(settings.device, settings.threads);
   if (mDevice) return;
   log(LogLevel::Warning, "there is no device \"%s\"; \"cpu\" is used", settings.device.c_str());

@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "base/rows.h"
 #include "rcddk/accel/builder.h"
@@ -56,7 +55,7 @@ struct DrawCall {
 struct GeometrySet {
   Rows<hal::HotTriangle> triangles;
   Rows<hal::TriangleAttributes> attributes;
-  std::vector<Material> captured;  // of draws without a material object
+  Array<Material> captured;  // of draws without a material object
   Accel accel;
   SkippedTriangles skipped;
   bool filtersShadow = false;

@@ -58,13 +58,13 @@ size_t palettedBytes(const PalettedFormat &format, int width, int height, int le
   return bytes;
 }
 
-std::vector<uint32_t> readPaletted(const PalettedFormat &format, int width, int height,
-                                   std::span<const std::byte> bytes, uint8_t alpha) {
+Texels readPaletted(const PalettedFormat &format, int width, int height, std::span<const std::byte> bytes,
+                    uint8_t alpha) {
   const PixelLayout layout = kRows[size_t(&format - kFormats.data())].layout;
   const int entries = paletteEntries(format);
-  const std::vector<uint32_t> palette = readTexels({layout, bytes.data()}, entries, 1, alpha);
+  const Texels palette = readTexels({layout, bytes.data()}, entries, 1, alpha);
   const auto indices = bytes.subspan(size_t(entries) * size_t(format.entryBytes));
-  std::vector<uint32_t> texels(size_t(width) * size_t(height));
+  Texels texels(size_t(width) * size_t(height));
   for (size_t i = 0; i < texels.size(); ++i) {
     const auto byte = static_cast<uint8_t>(indices[format.indexBits == 8 ? i : i / 2]);
     const int index = format.indexBits == 8 ? byte : i % 2 == 0 ? byte >> 4 : byte & 15;

@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "RC/rctypes.h"
+#include "base/memory.h"
 
 namespace rc::ddk {
 
@@ -31,7 +31,7 @@ const PalettedFormat *findPalettedFormat(RCenum format);
 size_t palettedBytes(const PalettedFormat &format, int width, int height, int levels);
 
 // Level 0; alpha: what texels without one get. bytes holds at least that level.
-std::vector<uint32_t> readPaletted(const PalettedFormat &format, int width, int height,
-                                   std::span<const std::byte> bytes, uint8_t alpha);
+Array<uint32_t> readPaletted(const PalettedFormat &format, int width, int height, std::span<const std::byte> bytes,
+                             uint8_t alpha);
 
 }  // namespace rc::ddk

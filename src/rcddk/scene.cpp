@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddk/scene.h"
 
+#include <utility>
+
 #include "base/stopwatch.h"
 
 namespace rc::ddk {
@@ -57,7 +59,8 @@ GeometrySet &Scene::target() {
 void Scene::buildDynamic(AccelKind kind, const Workers &workers) {
   const bool sameKind = mDynamics.accel.kind == kind;
   if (!mDynamicsTraced && !(sameKind && refit(mDynamics.triangles, workers, mDynamics.accel))) {
-    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame, std::move(mDynamics.accel));
+    Accel old = std::exchange(mDynamics.accel, {});  // what is left without memory must not look like a tree
+    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame, std::move(old));
   }
   mDynamicsTraced = true;
 }

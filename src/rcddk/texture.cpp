@@ -36,7 +36,7 @@ uint32_t readTexel(PixelLayout layout, const uint8_t *at, uint32_t alpha) {
 size_t texelBytes(PixelLayout layout) { return layout == PixelLayout::Rgb8 ? 3 : layout == PixelLayout::Rgba8 ? 4 : 2; }
 
 // Mean of 2 x 2 texels, channel by channel, rounded.
-void halve(const std::vector<uint32_t> &fine, int width, int height, std::vector<uint32_t> &coarse) {
+void halve(const Texels &fine, int width, int height, Texels &coarse) {
   const int halfWidth = std::max(width / 2, 1), halfHeight = std::max(height / 2, 1);
   const auto at = [&](int x, int y) {
     return fine[size_t(std::min(y, height - 1)) * size_t(width) + size_t(std::min(x, width - 1))];
@@ -68,10 +68,10 @@ void makeMipLevels(Image &image) {
 
 }  // namespace
 
-std::vector<uint32_t> readTexels(const PixelSource &source, int width, int height, uint8_t alpha) {
+Texels readTexels(const PixelSource &source, int width, int height, uint8_t alpha) {
   const size_t texel = texelBytes(source.layout), alignment = size_t(source.alignment);
   const size_t rowBytes = (size_t(width) * texel + alignment - 1) / alignment * alignment;
-  std::vector<uint32_t> texels;
+  Texels texels;
   texels.reserve(size_t(width) * size_t(height));
   for (size_t y = 0; y < size_t(height); ++y) {
     const uint8_t *row = static_cast<const uint8_t *>(source.pixels) + y * rowBytes;
@@ -80,7 +80,7 @@ std::vector<uint32_t> readTexels(const PixelSource &source, int width, int heigh
   return texels;
 }
 
-Image makeImage(std::vector<uint32_t> base, int width, int height, bool mipmaps) {
+Image makeImage(Texels base, int width, int height, bool mipmaps) {
   Image image{{}, width, height, nullptr};
   image.levels.push_back(std::move(base));
   if (mipmaps) makeMipLevels(image);

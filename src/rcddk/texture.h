@@ -9,6 +9,7 @@
 
 #include "RC/rctokens.h"
 #include "RC/rctypes.h"
+#include "base/memory.h"
 #include "rchal/scene_view.h"
 
 namespace rc::ddk {
@@ -16,10 +17,13 @@ namespace rc::ddk {
 // How client memory is laid out. [reference 4.5]
 enum class PixelLayout { Rgb8, Rgba8, Rgb565, Rgba4444, Rgba5551 };
 
+// RGBA8, R in the low byte.
+using Texels = Array<uint32_t>;
+
 struct Image {
-  std::vector<std::vector<uint32_t>> levels;  // RGBA8, R in the low byte; level 0 first, rows from v = 0
-  int width = 0, height = 0;                  // of level 0; 0 where nothing was loaded
-  std::shared_ptr<const void> loan;           // held by an image that somebody lent; let go when it is replaced
+  std::vector<Texels> levels;        // RGBA8, R in the low byte; level 0 first, rows from v = 0
+  int width = 0, height = 0;         // of level 0; 0 where nothing was loaded
+  std::shared_ptr<const void> loan;  // held by an image that somebody lent; let go when it is replaced
 };
 
 // Texels in client memory, the lowest row first; a row begins at a multiple of `alignment` bytes from the first one.
@@ -30,10 +34,10 @@ struct PixelSource {
 };
 
 // As RGBA8; alpha: what texels without one get.
-std::vector<uint32_t> readTexels(const PixelSource &source, int width, int height, uint8_t alpha);
+Texels readTexels(const PixelSource &source, int width, int height, uint8_t alpha);
 
 // base: width * height texels. width, height: powers of two.
-Image makeImage(std::vector<uint32_t> base, int width, int height, bool mipmaps);
+Image makeImage(Texels base, int width, int height, bool mipmaps);
 
 // Replaces a rectangle of level 0 by its texels, and the mip levels, if there are some, by new ones.
 void replacePart(Image &image, const hal::PixelRect &part, std::span<const uint32_t> texels);

@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
-#include <new>
 #include <type_traits>
 #include <utility>
+
+#include "base/large_pages.h"
 
 namespace rc::hal {
 
@@ -29,16 +29,16 @@ class Column {
   }
 
   size_t size() const { return mSize; }
-  T *data() { return mValues.get(); }
-  const T *data() const { return mValues.get(); }
+  T *data() { return mValues.data(); }
+  const T *data() const { return mValues.data(); }
   T &operator[](size_t i) { return mValues[i]; }
   const T &operator[](size_t i) const { return mValues[i]; }
 
   void reserve(size_t count) {
     if (count <= mCapacity) return;
     const size_t capacity = std::max(count, 2 * mCapacity);
-    Values values(allocate(capacity + kSlack));
-    std::copy_n(mValues.get(), mSize, values.get());
+    LargeVector<T> values(capacity + kSlack);
+    std::copy_n(data(), mSize, values.data());
     mValues = std::move(values);
     mCapacity = capacity;
   }
@@ -68,25 +68,14 @@ class Column {
   }
 
  private:
-  static constexpr std::align_val_t kAlignment{64};
-  struct Free {
-    void operator()(T *values) const { ::operator delete[](values, kAlignment); }
-  };
-  using Values = std::unique_ptr<T[], Free>;
-
-  // Zeros: what lies behind the end may be computed with, and denormal numbers would be slow.
-  static T *allocate(size_t count) {
-    T *values = static_cast<T *>(::operator new[](count * sizeof(T), kAlignment));
-    std::fill_n(values, count, T{});
-    return values;
-  }
   void swap(Column &other) noexcept {
     std::swap(mValues, other.mValues);
     std::swap(mSize, other.mSize);
     std::swap(mCapacity, other.mCapacity);
   }
 
-  Values mValues;
+  // Zeros at first: what lies behind the end may be computed with, and denormal numbers would be slow.
+  LargeVector<T> mValues;
   size_t mSize = 0, mCapacity = 0;
 };
 

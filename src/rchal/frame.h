@@ -61,6 +61,19 @@ class TileTracer {
   explicit TileTracer(size_t batch) : mBatch(batch) {}
 
   void trace(const SceneView &scene, const Tile &tile, const Target &target) {
+    try {
+      traceTile(scene, tile, target);
+    } catch (...) {  // out of memory: rays that still wait are of no other tile
+      dropRays();
+      throw;
+    }
+  }
+
+  const RayCounts &counts() const { return mCounts; }
+  void resetCounts() { mCounts = {}; }
+
+ private:
+  void traceTile(const SceneView &scene, const Tile &tile, const Target &target) {
     mPixels.arrange(tile.columns, tile.rows);
     mQueues.resize(std::max(mQueues.size(), size_t(scene.maxBounces) + 2));
     mShadows.resize(std::max(mShadows.size(), scene.lights.size()));
@@ -74,10 +87,11 @@ class TileTracer {
     timed(scene, &UnitTimes::store, [&] { store(scene, tile, target); });
   }
 
-  const RayCounts &counts() const { return mCounts; }
-  void resetCounts() { mCounts = {}; }
+  void dropRays() {
+    for (RayQueue &queue : mQueues) queue.resize(0);
+    for (ShadowQueue &queue : mShadows) queue.resize(0);
+  }
 
- private:
   // By pixel of the tile.
   struct Sums {
     Vec3Column colours;

@@ -40,7 +40,7 @@ struct HotTriangle {
   Vec3 v0, v1, v2;    // 36
   uint32_t material;  //  4  below kNamedMaterials: a name; else kNamedMaterials + index into captured
   uint32_t flags;     //  4  TriangleFlag
-  uint32_t reserved;  //  4  keeps triangles 16-byte aligned
+  float leastOffset;  //  4  of rays that leave a sliver; else 0
 };
 static_assert(sizeof(HotTriangle) == 48);
 
@@ -54,11 +54,23 @@ struct TriangleAttributes {
 };
 static_assert(sizeof(TriangleAttributes) == 112);
 
-// flatNormal and doubleArea of a triangle that has an area.
-inline void setPlane(const HotTriangle &triangle, TriangleAttributes &attributes) {
-  const Vec3 edges = glm::cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
+// Distances to a triangle are rounded by as much as its longest edge squared over its height: beside this the rounding
+// of positions, which SurfacePoint::safeOffset counts, is nothing where it is many times longer than high.
+inline constexpr float kSliver = 8;  // times longer than high
+inline constexpr float kSliverError = 8 * 0x1p-24f;
+inline constexpr float kMostOfEdge = 1.0f / 64;  // of what is thinner nobody sees more than specks
+
+// What else is known of a triangle that has an area: flatNormal, doubleArea, leastOffset.
+inline void setPlane(HotTriangle &triangle, TriangleAttributes &attributes) {
+  const Vec3 a = triangle.v1 - triangle.v0, b = triangle.v2 - triangle.v0, c = triangle.v2 - triangle.v1;
+  const Vec3 edges = glm::cross(a, b);
   attributes.doubleArea = glm::length(edges);
   attributes.flatNormal = edges / attributes.doubleArea;
+  const float longest = std::max(glm::dot(a, a), std::max(glm::dot(b, b), glm::dot(c, c)));
+  const float slenderness = longest / attributes.doubleArea;
+  triangle.leastOffset = slenderness > kSliver && longest < kInfinity
+                             ? std::sqrt(longest) * std::min(kSliverError * slenderness, kMostOfEdge)
+                             : 0;
 }
 
 inline constexpr uint32_t kNamedMaterials = 512;

@@ -24,6 +24,9 @@ class TilePixels {
 
   void arrange(int columns, int rows) {
     if (columns == mColumns && rows == mRows) return;
+    // First, since it may be that there is no memory: then the arrangement is still the old one.
+    column.reserve(size_t(columns) * size_t(rows));
+    row.reserve(size_t(columns) * size_t(rows));
     mColumns = columns;
     mRows = rows;
     column.resize(0);

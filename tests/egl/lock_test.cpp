@@ -26,10 +26,10 @@ class Trace {
   }
 
  private:
-  static std::recursive_mutex &mutexOf(EGLDisplay display, EGLContext context) {
+  static ForkMutex &mutexOf(EGLDisplay display, EGLContext context) {
     return egl::findDisplay(display)->contexts.find(context)->api.objects().mutex;
   }
-  std::unique_lock<std::recursive_mutex> mLock;
+  std::unique_lock<ForkMutex> mLock;
 };
 
 class Locks : public Egl {

@@ -147,7 +147,7 @@ void RandomScene::addSheet(Set &set) {
 
 void RandomScene::finish(Set &set) {
   for (size_t i = 0; i < set.triangles.size(); ++i) {
-    const HotTriangle &t = set.triangles[i];
+    HotTriangle &t = set.triangles[i];
     TriangleAttributes &attributes = set.attributes[i];
     setPlane(t, attributes);
     const Vec3 corners[3] = {t.v0, t.v1, t.v2};

@@ -11,8 +11,8 @@ float boxMargin(const HotTriangle &triangle) {
   return std::max(maxComponent(largest) * kMarginShare, kLeastMargin);
 }
 
-std::vector<Reference> makeReferences(std::span<const HotTriangle> triangles, Bounds &all) {
-  std::vector<Reference> references(triangles.size());
+Array<Reference> makeReferences(std::span<const HotTriangle> triangles, Bounds &all) {
+  Array<Reference> references(triangles.size());
   for (size_t i = 0; i < triangles.size(); ++i) {
     Reference &reference = references[i];
     reference.primitive = static_cast<uint32_t>(i);

@@ -5,8 +5,6 @@
 // Both kinds are complete and deterministic: the same triangles give the same tree on any number of threads.
 #pragma once
 
-#include <vector>
-
 #include "base/large_pages.h"
 #include "base/parallel.h"
 #include "rchal/scene_view.h"
@@ -18,8 +16,8 @@ struct Accel {
   Bounds bounds;
   size_t triangles = 0;
   double builtCost = 0;  // BVH: costOf() when it was built
-  std::vector<hal::KdNode8> kdNodes;
-  std::vector<uint32_t> primitives;
+  Array<hal::KdNode8> kdNodes;
+  Array<uint32_t> primitives;
   LargeVector<hal::BvhNode8> bvhNodes;
   LargeVector<hal::TriangleBlock4> blocks;
 
@@ -61,7 +59,7 @@ float boxMargin(const hal::HotTriangle &triangle);
 inline constexpr float kMarginShare = 0x1p-21f, kLeastMargin = 1e-36f;  // of the largest coordinate; at least
 
 // One for each triangle, widened; accel.bounds becomes their union.
-std::vector<Reference> makeReferences(std::span<const hal::HotTriangle> triangles, Bounds &all);
+Array<Reference> makeReferences(std::span<const hal::HotTriangle> triangles, Bounds &all);
 
 // Subtrees with at least so many references are built at the same time as their siblings.
 inline constexpr size_t kParallelReferences = 8192;

@@ -31,7 +31,7 @@ HWY_EXPORT(buildPieces);
 constexpr double kMostParts = 0.3;
 
 void buildBvh(std::span<const hal::HotTriangle> triangles, Lifetime lifetime, Accel &accel) {
-  std::vector<BuildReference> references = makeBuildReferences(triangles, accel.bounds);
+  Array<BuildReference> references = makeBuildReferences(triangles, accel.bounds);
   const double room = lifetime == Lifetime::Scene ? kMostParts : 0;
   references.resize(triangles.size() + static_cast<size_t>(room * static_cast<double>(triangles.size())));
   BvhPieces pieces;

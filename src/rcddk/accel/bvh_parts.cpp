@@ -8,8 +8,8 @@ using hal::BvhNode8;
 using hal::HotTriangle;
 using hal::TriangleBlock4;
 
-std::vector<BuildReference> makeBuildReferences(std::span<const HotTriangle> triangles, Bounds &all) {
-  std::vector<BuildReference> references(triangles.size());
+Array<BuildReference> makeBuildReferences(std::span<const HotTriangle> triangles, Bounds &all) {
+  Array<BuildReference> references(triangles.size());
   for (size_t i = 0; i < triangles.size(); ++i) {
     const HotTriangle &t = triangles[i];
     const float margin = boxMargin(t);

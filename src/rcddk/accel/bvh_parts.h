@@ -27,7 +27,7 @@ struct alignas(32) BuildReference {
 static_assert(sizeof(BuildReference) == 32);
 
 // One for each triangle, widened by boxMargin(). `all` becomes their union.
-std::vector<BuildReference> makeBuildReferences(std::span<const hal::HotTriangle> triangles, Bounds &all);
+Array<BuildReference> makeBuildReferences(std::span<const hal::HotTriangle> triangles, Bounds &all);
 
 // A subtree with numbers of its own.
 struct BvhPieces {

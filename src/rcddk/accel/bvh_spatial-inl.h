@@ -116,7 +116,7 @@ inline SpatialSplit bestPlane(std::span<const BuildReference> references, std::s
 }
 
 struct Parts {
-  std::vector<BuildReference> left, right;
+  Array<BuildReference> left, right;
 };
 
 inline Parts partsOf(std::span<const BuildReference> references, std::span<const hal::HotTriangle> triangles,

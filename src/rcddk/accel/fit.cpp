@@ -61,7 +61,7 @@ Bounds fillBlock(std::span<const HotTriangle> triangles, TriangleBlock4 &block) 
 // in another task comes last.
 void fit(std::span<const HotTriangle> triangles, const Workers &workers, Accel &accel) {
   LargeVector<BvhNode8> &nodes = accel.bvhNodes;
-  std::vector<std::vector<uint32_t>> left((nodes.size() + kNodesATask - 1) / kNodesATask);
+  std::vector<Array<uint32_t>> left((nodes.size() + kNodesATask - 1) / kNodesATask);
   workers.forEach(left.size(), [&](size_t task, int) {
     const size_t first = task * kNodesATask, end = std::min(nodes.size(), first + kNodesATask);
     std::array<bool, kNodesATask> done{};

@@ -28,8 +28,8 @@ struct Split {
 };
 
 struct Subtree {
-  std::vector<KdNode8> nodes;
-  std::vector<uint32_t> primitives;
+  Array<KdNode8> nodes;
+  Array<uint32_t> primitives;
 
   // Puts another subtree behind this one.
   void append(const Subtree &other) {
@@ -48,7 +48,7 @@ class KdBuilder {
 
   // Appends the subtree of the references, which all reach into the cell, to `out`.
   // budget: how many references may be added by cutting triangles.
-  void build(std::vector<Reference> references, const Bounds &cell, int depthLeft, int badSplits, size_t budget,
+  void build(Array<Reference> references, const Bounds &cell, int depthLeft, int badSplits, size_t budget,
              Subtree &out) const {
     const Split split = depthLeft > 0 && references.size() > kLeafSize ? bestSplit(references, cell) : Split{};
     const auto leafCost = static_cast<float>(references.size());
@@ -57,7 +57,7 @@ class KdBuilder {
       makeLeaf(references, out);
       return;
     }
-    std::vector<Reference> left, right;
+    Array<Reference> left, right;
     distribute(references, split, left, right);
     const size_t total = left.size() + right.size(), added = total - std::min(total, references.size());
     if (added == references.size() || added > budget) {  // the plane separates nothing, or too little for its price
@@ -89,12 +89,12 @@ class KdBuilder {
   }
 
  private:
-  static void makeLeaf(const std::vector<Reference> &references, Subtree &out) {
+  static void makeLeaf(const Array<Reference> &references, Subtree &out) {
     out.nodes.push_back(KdNode8::leaf(uint32_t(out.primitives.size()), uint32_t(references.size())));
     for (const Reference &reference : references) out.primitives.push_back(reference.primitive);
   }
 
-  static Split bestSplit(const std::vector<Reference> &references, const Bounds &cell) {
+  static Split bestSplit(const Array<Reference> &references, const Bounds &cell) {
     Bounds content;  // planes beyond it would only cut more empty space
     for (const Reference &reference : references) content.add(reference.box);
     Split best;
@@ -103,7 +103,7 @@ class KdBuilder {
   }
 
   // Counts where boxes begin and end; sums of the counts tell how many lie on each side of a bin's border.
-  static void evaluate(const std::vector<Reference> &references, const Bounds &content, const Bounds &cell, int axis,
+  static void evaluate(const Array<Reference> &references, const Bounds &content, const Bounds &cell, int axis,
                        Split &best) {
     const float lower = content.lower[axis], size = content.size()[axis];
     if (!(size > 0) || !std::isfinite(size)) return;
@@ -136,8 +136,8 @@ class KdBuilder {
     }
   }
 
-  void distribute(const std::vector<Reference> &references, const Split &split, std::vector<Reference> &left,
-                  std::vector<Reference> &right) const {
+  void distribute(const Array<Reference> &references, const Split &split, Array<Reference> &left,
+                  Array<Reference> &right) const {
     for (const Reference &reference : references) {
       if (reference.box.upper[split.axis] <= split.position) {
         left.push_back(reference);
@@ -150,8 +150,8 @@ class KdBuilder {
   }
 
   // A part that misses the old box is dropped.
-  void cutAndKeep(const Reference &reference, const Split &split, std::vector<Reference> &left,
-                  std::vector<Reference> &right) const {
+  void cutAndKeep(const Reference &reference, const Split &split, Array<Reference> &left,
+                  Array<Reference> &right) const {
     CutBoxes parts = cut(mTriangles[reference.primitive], reference.box, split.axis, split.position);
     parts.below.upper[split.axis] = parts.above.lower[split.axis] = split.position;
     if (!parts.below.empty()) left.push_back({parts.below, reference.primitive});
@@ -164,7 +164,7 @@ class KdBuilder {
 }  // namespace
 
 void buildKdTree(std::span<const HotTriangle> triangles, Accel &accel) {
-  std::vector<Reference> references = makeReferences(triangles, accel.bounds);
+  Array<Reference> references = makeReferences(triangles, accel.bounds);
   const int depth =
       std::min(8 + static_cast<int>(1.3f * std::log2(static_cast<float>(references.size()))), hal::kMaxTreeDepth - 2);
   Subtree tree;

@@ -41,7 +41,7 @@ Box boxOf(const HotTriangle &t) {
 }
 
 Bounds boundsOf(std::span<const HotTriangle> triangles, const Workers &workers) {
-  std::vector<Bounds> parts((triangles.size() + kCodesATask - 1) / kCodesATask);
+  Array<Bounds> parts((triangles.size() + kCodesATask - 1) / kCodesATask);
   workers.forEach(parts.size(), [&](size_t task, int) {
     const size_t first = task * kCodesATask;
     Box box = boxOf(triangles[first]);

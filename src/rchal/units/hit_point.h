@@ -41,7 +41,8 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
   const bool counterClockwise = glm::dot(geometric, direction) < 0;
   point.front = counterClockwise == ((triangle.flags & kClockwiseFront) == 0);
   point.flatNormal = counterClockwise ? geometric : -geometric;
-  point.safeOffset = kPositionError * maxComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2));
+  point.safeOffset =
+      std::max(kPositionError * maxComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2)), triangle.leastOffset);
 
   point.normal = point.flatNormal;
   if (triangle.flags & kHasNormals) {

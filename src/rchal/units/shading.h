@@ -30,6 +30,14 @@ inline int secondaryKinds(const MaterialRow &material, bool last) {
 }
 inline float shareOf(int rays) { return rays > 1 ? 1 / static_cast<float>(rays) : 1; }
 
+// Where every hit of a ray makes two, their number doubles with each bounce, and so do the parts of what may be left
+// out. After so many bounces only rays count that weigh enough: 4096 of them share what a pixel shows, not 2^31.
+inline constexpr int kFreeBounces = 12;
+inline constexpr float kLeastAfterwards = 1.0f / 4096;
+inline float leastWeight(const SceneView &scene, int bounces) {
+  return bounces < kFreeBounces ? scene.minWeight : std::max(scene.minWeight, kLeastAfterwards);
+}
+
 class Shader {
  public:
   Shader(const SceneView &scene, const RayItem &item, const Hit &hit, const Outputs &out)
@@ -152,7 +160,7 @@ class Shader {
   // Whether a secondary ray of this weight is worth tracing.
   bool counts(const Rgb &weight) const {
     const float strongest = maxComponent(weight);
-    return strongest > mTolerance && strongest >= mScene.minWeight;
+    return strongest > mTolerance && strongest >= leastWeight(mScene, mOut.bounces);
   }
 
   float curvatureHere() const { return curvature(*mTriangle, *mAttributes, mPoint.flatNormal); }

@@ -51,9 +51,9 @@ RC_STEP void goStraightOn(const Shading &shading, const RayLanes &rays, const V3
 }
 
 // Lanes whose secondary rays are worth tracing.
-HWY_INLINE M worthTracing(const hal::SceneView &scene, const V3 &weight, F tolerance, M asked) {
-  const F strongest = maxComponent(weight);
-  return hn::And(asked, hn::And(hn::Gt(strongest, tolerance), hn::Ge(strongest, all(scene.minWeight))));
+HWY_INLINE M worthTracing(const Shading &shading, const V3 &weight, F tolerance, M asked) {
+  const F strongest = maxComponent(weight), least = all(hal::leastWeight(shading.scene, shading.out.bounces));
+  return hn::And(asked, hn::And(hn::Gt(strongest, tolerance), hn::Ge(strongest, least)));
 }
 
 class Secondary {
@@ -67,7 +67,7 @@ class Secondary {
         mCurvature(shading.cones ? curvature(surface, asked) : zero()) {}
 
   RC_STEP void reflect(const V3 &weight, M asked) const {
-    const M traced = worthTracing(mShading.scene, weight, mTolerance, asked);
+    const M traced = worthTracing(mShading, weight, mTolerance, asked);
     if (none(traced)) return;
     const V3 &d = mRays.direction;
     V3 mirrored = d - hn::Mul(all(2), dot(d, mSurface.normal)) * mSurface.normal;
@@ -80,7 +80,7 @@ class Secondary {
 
   // eta: index before / index behind; root: the square root of Snell's law.
   RC_STEP void refract(const V3 &weight, F eta, F cosine, F root, M asked) const {
-    const M traced = worthTracing(mShading.scene, weight, mTolerance, asked);
+    const M traced = worthTracing(mShading, weight, mTolerance, asked);
     if (none(traced)) return;
     V3 bent = eta * mRays.direction + hn::Sub(hn::Mul(eta, cosine), root) * mSurface.normal;
     const F depth = dot(bent, mSurface.flatNormal);

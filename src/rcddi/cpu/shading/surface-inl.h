@@ -57,7 +57,7 @@ struct SurfaceLanes {
   U material, flags, set;  // set: 1 for dynamic triangles
   V3 vertices[3];
   V3 position, flatNormal, normal, color;
-  F safeOffset;
+  F leastOffset, safeOffset;
   F s, t;  // texture coordinates
   M front;
   AttributeLanes attributes;
@@ -129,6 +129,7 @@ RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const T
   const UTag du;
   out.material = hn::BitCast(du, row[9]);
   out.flags = hn::BitCast(du, row[10]);
+  out.leastOffset = row[11];
   const U firstDynamic = hn::Set(du, static_cast<uint32_t>(shading.scene.geometry[0].triangles.size()));
   out.set = hn::IfThenZeroElse(hn::Lt(rays.primitive, firstDynamic), hn::Set(du, 1));
   // Attributes of 4 k ... 4 k + 3.
@@ -183,7 +184,7 @@ RC_STEP void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceLane
   out.flatNormal = select(counterClockwise, geometric, -geometric);
   const auto size = [](F a, F b, F c) HWY_ATTR { return hn::Add(hn::Add(hn::Abs(a), hn::Abs(b)), hn::Abs(c)); };
   const V3 sizes{size(p0.x, p1.x, p2.x), size(p0.y, p1.y, p2.y), size(p0.z, p1.z, p2.z)};
-  out.safeOffset = hn::Mul(all(hal::kPositionError), maxComponent(sizes));
+  out.safeOffset = hn::Max(hn::Mul(all(hal::kPositionError), maxComponent(sizes)), out.leastOffset);
 
   out.normal = out.flatNormal;
   const M hasNormals = hn::And(rays.found, hasFlag(out.flags, hal::kHasNormals));

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The raycore authors
+#
+# Examples and quick tests under valgrind's memcheck; ends with an error if it finds one.
+# Usage: scripts/valgrind.sh [build folder]; by default build/release.
+# Valgrind 3.19 does not know AVX-512: RAYCORE_INSTRUCTION_SET leaves it out.
+set -eu
+cd "$(dirname "$0")/.."
+build=${1:-build/release}
+command -v valgrind >/dev/null || { echo "valgrind is not here"; exit 77; }
+
+export RAYCORE_INSTRUCTION_SET=avx2 RAYCORE_THREADS=2 RAYCORE_FRAMES=1 DISPLAY=
+checked() {
+  echo "== $*"
+  valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite \
+    --suppressions=scripts/valgrind.supp "$@" >/dev/null
+}
+
+for structure in bvh kdtree; do
+  RAYCORE_ACCEL=$structure checked "$build/examples/02_5a_perspective"
+done
+checked "$build/examples/05_5_textures"
+checked "$build/examples/d_1_5_egl"
+checked "$build/tests/api/symbols/reload" "$build/src/egl/libRayCoreAPI.so" 3
+checked "$build/tests/base_test" --gtest_filter='Settings*:MemoryLimit*:ControlGroup*'
+checked "$build/tests/shortage_test" --gtest_filter='*BvhOnce*'
+echo "valgrind: clean"

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// thirty_scenes.h: pictures that must not depend on anything but their scene: twenty-four of rcddi/random_scenes.h, and
+// six through the C API whose structures are built by many threads, in every way there is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rc::test {
+
+inline constexpr int kScenes = 30, kSceneWidth = 64, kSceneHeight = 48;
+inline constexpr std::size_t kScenePixels = std::size_t(kSceneWidth) * kSceneHeight;
+
+// The pixels of scene 0 ... 29, with the settings of the process; framesBefore: other frames that the same device or
+// context draws first.
+std::vector<uint32_t> pictureOfScene(int scene, int framesBefore);
+
+}  // namespace rc::test

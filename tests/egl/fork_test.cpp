@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+//
+// A program that draws, forks, and goes on in both processes: the child has no threads of the parent's, and draws the
+// same pictures with the contexts it was born with, and with new ones.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <thread>
+
+#include "egl/small_program.h"
+
+namespace rc::test {
+namespace {
+
+class ForkedProgram : public SmallProgram {
+ protected:
+  enum class End { AtOnce, WithDestructors };
+
+  // The code with which a child that runs body ends within a minute; 128 and the signal if it was one.
+  template <class Body>
+  static int inChild(Body &&body, End end = End::AtOnce) {
+    const pid_t child = fork();
+    if (child == 0) {
+      alarm(60);
+      const int code = body() ? 0 : 1;
+      if (end == End::AtOnce) _exit(code);
+      std::exit(code);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+};
+
+TEST_F(ForkedProgram, TheChildDrawsWithTheContextItWasBornWith) {
+  ASSERT_TRUE(select(drawable()));
+  const Picture before = draw();
+  EXPECT_EQ(inChild([&] { return draw() == before && draw() == before; }), 0);
+  EXPECT_EQ(draw(), before) << "and so does the parent";
+}
+
+TEST_F(ForkedProgram, TheChildMakesContextsOfItsOwn) {
+  ASSERT_TRUE(select(drawable()));
+  const Picture before = draw();
+  EXPECT_EQ(inChild([&] {
+              const Drawable own = drawable();
+              return select(own) && draw() == before && unselect() && eglDestroyContext(mDisplay, own.context) &&
+                     eglDestroySurface(mDisplay, own.surface);
+            }),
+            0);
+}
+
+TEST_F(ForkedProgram, TheChildEndsInOrder) {
+  ASSERT_TRUE(select(drawable()));
+  const Picture before = draw();
+  const auto drawAndTerminate = [&] {
+    return draw() == before && unselect() && eglTerminate(mDisplay) && eglReleaseThread();
+  };
+  EXPECT_EQ(inChild(drawAndTerminate, End::WithDestructors), 0);
+  EXPECT_EQ(inChild([] { return true; }, End::WithDestructors), 0) << "with everything still open";
+}
+
+TEST_F(ForkedProgram, OtherThreadsMayDrawMeanwhile) {
+  ASSERT_TRUE(select(drawable()));
+  const Picture before = draw();
+  std::atomic<bool> end = false;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 2; ++i) {
+    threads.emplace_back([&] {
+      ASSERT_TRUE(select(drawable()));
+      while (!end) EXPECT_EQ(draw(), before);
+      ASSERT_TRUE(eglReleaseThread());
+    });
+  }
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(inChild([&] { return draw() == before; }), 0);
+  }
+  end = true;
+  for (std::thread &thread : threads) thread.join();
+}
+
+}  // namespace
+}  // namespace rc::test
