@@ -92,7 +92,7 @@ class Snapshot {
   // Of large images the first texels of each level.
   void addTexture(const ddk::Texture &texture) {
     addAll(std::array{texture.image.width, texture.image.height, int(texture.format)});
-    for (const std::vector<uint32_t> &level : texture.image.levels) {
+    for (const auto &level : texture.image.levels) {
       addSum(level.data(), std::min<size_t>(level.size(), 1024) * sizeof(uint32_t));
     }
   }
