@@ -22,6 +22,9 @@ if(RAYCORE_SANITIZE)
   add_compile_options(-fsanitize=${RAYCORE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${RAYCORE_SANITIZE})
   add_compile_definitions(RAYCORE_FEW_TARGETS)  # src/base/simd_targets.h
+  # Instrumented code keeps compilers busy for long: half of the time goes by following variables for debuggers, which
+  # reports with lines do without, and a third by what -O2 adds.
+  add_compile_options(-O1 -g1)
 endif()
 
 # Every file tells libFuzzer which branches an input took; the engine itself is linked to fuzz targets alone.

@@ -73,6 +73,10 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/raycore-doc/docs COMPONENT doc
         PATTERN "theme" EXCLUDE PATTERN "pictures" EXCLUDE)
+# The book's pages name the sources they show; as texts they hold them.
+install(CODE "set(DOCS \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/raycore-doc/docs)
+  set(SOURCE ${PROJECT_SOURCE_DIR})
+  include(${PROJECT_SOURCE_DIR}/cmake/ExpandSnippets.cmake)" COMPONENT doc)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/raycore-doc/examples
         COMPONENT doc PATTERN "CMakeLists.txt" EXCLUDE)
 include(CPack)

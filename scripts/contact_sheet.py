@@ -14,6 +14,8 @@ import subprocess
 import tempfile
 
 FREE = re.compile(r"^(CC0-1\.0|CC-BY-4\.0|MIT|Apache-2\.0|Public domain)( \([^)]*\))?( \+ (CC0-1\.0|CC-BY-4\.0))*$")
+# Boxes whose open side is behind.
+VIEWS = {"cornell_box": "180,0", "cornell_box_multimaterial": "180,0"}
 LETTER = (6, 13)
 MARGIN = 3
 
@@ -46,7 +48,9 @@ def write(picture, width, x, y, text, font):
 def render(tool, model, size, folder):
     out = folder / "tile.ppm"
     command = [tool, "render", str(model), "-q", "-o", str(out), "--size", "%dx%d" % size, "--samples", "9",
-               "--bounces", "6", "--background", "gradient"]
+               "--background", "gradient"]
+    if model.stem in VIEWS:
+        command += ["--angle", VIEWS[model.stem]]
     subprocess.run(command, check=True)
     return out.read_bytes().split(b"\n", 3)[3]
 

@@ -16,14 +16,7 @@ namespace {
 
 using namespace rc::hal;
 
-// The same file is two programs: a quick one, and a slow one with more rays.
-#ifdef RAYCORE_MANY_RAYS
-const size_t kRays = raysFromEnvironment(100000);
-#define RAYCORE_RAYS ManyRays
-#else
-constexpr size_t kRays = 3000;
-#define RAYCORE_RAYS Rays
-#endif
+const size_t kRays = raysFromEnvironment(3000);
 
 bool sameBits(const Hit &a, const Hit &b) { return std::memcmp(&a, &b, sizeof(Hit)) == 0; }
 
@@ -97,14 +90,13 @@ TEST_P(Kernels, GridWhoseLinesTheRaysFollow) {
 }
 TEST_P(Kernels, FewTriangles) { compare({triangle({-2, -2, 0}, {2, -2, 0}, {0, 2, 0})}, soup(6, 1), kRays); }
 
-INSTANTIATE_TEST_SUITE_P(RAYCORE_RAYS, Kernels,
+INSTANTIATE_TEST_SUITE_P(Rays, Kernels,
                          testing::Combine(testing::ValuesIn(kAllRayKinds),
                                           testing::Values(AccelKind::Bvh, AccelKind::KdTree)),
                          [](const auto &test) {
                            return nameOf(std::get<RayKind>(test.param)) + nameOf(std::get<AccelKind>(test.param));
                          });
 
-#ifndef RAYCORE_MANY_RAYS
 // Numbers beyond what margins cover: the scalar unit takes over.
 TEST(KernelLimits, HugeAndTinyNumbers) {
   Triangles triangles = soup(50, 8);
@@ -128,7 +120,6 @@ TEST(KernelLimits, AnyNumberOfRays) {
   const std::vector<Ray> rays = raysOf(RayKind::Camera, 300, view);
   for (size_t count : {1, 2, 15, 16, 17, 255, 257}) compareHits(view, plain, std::span(rays).first(count));
 }
-#endif
 
 }  // namespace
 }  // namespace rc::test

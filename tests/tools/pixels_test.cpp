@@ -98,6 +98,19 @@ TEST_F(Pixels, UnlitTest) {
   EXPECT_TRUE(colours.contains({0, 128, 255}));
 }
 
+// Each row of spheres has one colour, whether it comes from a factor or from a texture: surfaces, then light of their
+// own.
+TEST_F(Pixels, TextureEncodingTest) {
+  const Picture picture = render("TextureEncodingTest.glb", "--size 310x240 --angle 0,0 --lights none --samples 1");
+  for (const double y : {.35, .57}) {
+    const Pixel factor = picture.at(.345, y);
+    EXPECT_GT(factor[1], 100) << y;
+    for (const double x : {.516, .687, .86}) {
+      for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(x, y)[c], factor[c], 3) << x << ' ' << y;
+    }
+  }
+}
+
 int stripedPixels(const Picture &picture, double from, double to) {
   int most = 0;
   for (int x = int(from * picture.width); x < int(to * picture.width); ++x) {

@@ -26,12 +26,15 @@ expect() {
 }
 
 expect 0 'Examples:' "$tool" --help
-for command in render view info stats bench devices version generate; do expect 0 'Example' "$tool" "$command" --help; done
+for command in render view info stats bench doctor devices version generate; do expect 0 'Example' "$tool" "$command" --help; done
 expect 0 '^raycore [0-9]+\.[0-9]' "$tool" --version
 expect 0 '"materials": 512' "$tool" devices --json
-expect 2 'subcommand' "$tool"
-expect 2 'subcommand|arguments' "$tool" nothing
-expect 2 'model' "$tool" render
+expect 2 '^raycore: A subcommand is required' "$tool"
+expect 2 '^raycore --help tells more' "$tool"
+expect 2 '^raycore: there is no command "nothing"' "$tool" nothing
+expect 2 '^raycore render: model is required' "$tool" render
+expect 2 '^raycore render --help tells more' "$tool" render
+expect 2 '^raycore info: .*--nothing' "$tool" info "$model" --nothing
 expect 2 'size' "$tool" render "$model" -o a.png --size 0x10
 expect 2 'samples' "$tool" render "$model" -o a.png --samples 65
 expect 1 '^raycore: missing.glb: cannot be opened: No such file' "$tool" info missing.glb

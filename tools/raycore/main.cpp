@@ -34,17 +34,27 @@ int run(const Action &action) {
   return kBadInput;
 }
 
+// One line that says which command was meant and what is wrong, and one that helps.
+int refuse(const CLI::App &app, const CLI::Error &error, const std::string &first) {
+  const std::vector<CLI::App *> chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "raycore" : "raycore " + chosen.front()->get_name();
+  std::string wrong = error.what();
+  if (chosen.empty() && !first.empty() && first[0] != '-') wrong = "there is no command \"" + first + "\"";
+  std::fprintf(stderr, "%s: %s\n%s --help tells more\n", command.c_str(), wrong.c_str(), command.c_str());
+  return kWrongUsage;
+}
+
 int parseAndRun(int argc, char **argv) {
   CLI::App app{"Renders and inspects 3D models with the RayCore ray tracing API.", "raycore"};
   app.require_subcommand(1);
   app.footer(kFooter);
   app.set_version_flag("--version", versionText());
-  const Command commands[] = {addRender(app), addView(app),    addInfo(app),    addStats(app),
-                              addBench(app),  addDevices(app), addVersion(app), addGenerate(app)};
+  const Command commands[] = {addRender(app), addView(app),    addInfo(app),    addStats(app),   addBench(app),
+                              addDoctor(app), addDevices(app), addVersion(app), addGenerate(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {
-    return app.exit(error) == 0 ? 0 : kWrongUsage;
+    return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error, argc > 1 ? argv[1] : "");
   }
   for (const Command &command : commands) {
     if (command.app->parsed()) return run(command.run);

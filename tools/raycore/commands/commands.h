@@ -23,6 +23,7 @@ Command addInfo(CLI::App &app);
 Command addStats(CLI::App &app);
 Command addBench(CLI::App &app);
 Command addGenerate(CLI::App &app);
+Command addDoctor(CLI::App &app);
 Command addDevices(CLI::App &app);
 Command addVersion(CLI::App &app);
 

@@ -5,11 +5,13 @@
 #include <OpenImageIO/oiioversion.h>
 #include <assimp/version.h>
 #include <fmt/format.h>
+#include <hwy/targets.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <fstream>
 #include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 namespace rc::tool {
@@ -29,19 +31,12 @@ std::string processorName() {
   return "unknown";
 }
 
-// The widest of those the kernels are compiled for that the processor has: what they take.
+// What Highway chooses, of the sets it is compiled for here: the library asks it too. The better a set, the lower its
+// bit.
 std::string instructionSet() {
-#if defined(__x86_64__)
-  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-  if (avx512) return "AVX-512";
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "AVX2";
-  return __builtin_cpu_supports("sse4.2") ? "SSE4" : "SSE2";
-#elif defined(__aarch64__)
-  return "NEON";
-#else
-  return "scalar";
-#endif
+  const auto usable = hwy::SupportedTargets() & int64_t(HWY_TARGETS);
+  const std::string name = hwy::TargetName(usable & -usable);
+  return name.starts_with("AVX3") ? "AVX-512" : name;
 }
 
 int threads() {

@@ -4,7 +4,7 @@
 // machine.h: what traces: processor, instruction set, threads, device, versions of libraries.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace rc::tool {

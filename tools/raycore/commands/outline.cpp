@@ -8,13 +8,13 @@
 namespace rc::tool {
 namespace {
 
-// "KIND:value in {auto->0,file->1} OR {0,1}", "TEXT:{y,z}" -> the words in the first braces.
+// "{y,z}" -> the words in the first braces.
 std::vector<std::string> choicesIn(const std::string &validator) {
   const size_t first = validator.find('{'), last = validator.find('}');
   std::vector<std::string> choices;
   if (first == validator.npos || last == validator.npos) return choices;
   std::istringstream words(validator.substr(first + 1, last - first - 1));
-  for (std::string word; std::getline(words, word, ',');) choices.push_back(word.substr(0, word.find("->")));
+  for (std::string word; std::getline(words, word, ',');) choices.push_back(word);
   return choices;
 }
 

@@ -61,6 +61,14 @@ CLI::callback_t angle(std::optional<Angle> &to) {
   };
 }
 
+// The words of a table become their values; the help lists the words alone.
+template <class Value>
+CLI::Validator namesOf(const std::map<std::string, Value> &table) {
+  std::string words;
+  for (const auto &[word, value] : table) words += (words.empty() ? "{" : ",") + word;
+  return CLI::CheckedTransformer(table).description(words + "}");
+}
+
 }  // namespace
 
 void addPictureSize(CLI::App &command, ShowSettings &settings) {
@@ -93,7 +101,7 @@ void addShowOptions(CLI::App &command, ShowSettings &settings) {
       ->check(CLI::IsMember({"y", "z"}))
       ->group("Picture");
   command.add_option("--lights", settings.lighting, "auto, file, studio, headlight or none")
-      ->transform(CLI::CheckedTransformer(kLightings))
+      ->transform(namesOf(kLightings))
       ->type_name("KIND")
       ->group("Picture");
   command
@@ -102,7 +110,7 @@ void addShowOptions(CLI::App &command, ShowSettings &settings) {
       ->type_name("FILE")
       ->group("Picture");
   command.add_option("--ground", settings.ground, "none, matte, mirror or checker")
-      ->transform(CLI::CheckedTransformer(kGrounds))
+      ->transform(namesOf(kGrounds))
       ->type_name("KIND")
       ->group("Picture");
 }

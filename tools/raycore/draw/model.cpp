@@ -62,8 +62,9 @@ Mat4 textureMatrix(const TextureUse &use) {
 Model::Model(Scene &scene) : mScene(scene), mTextures(scene) {
   encodeColours(scene);
   for (size_t i = 0; i < scene.materials.size() && i < kMostMaterials; ++i) {
-    noteApproximations(scene.materials[i], scene);
-    mLooks.push_back(makeLook(scene.materials[i]));
+    const Material material = asDrawn(scene.materials[i]);
+    noteApproximations(material, scene);
+    mLooks.push_back(makeLook(material));
   }
   if (scene.materials.size() > kMostMaterials) {
     scene.note(

@@ -64,6 +64,16 @@ Surface fromUnlit(const Material &material) {
 
 }  // namespace
 
+Material asDrawn(Material material) {
+  const bool black = maxOf(Vec3(material.baseColor)) <= 0;
+  if (material.classic || material.unlit || !black || !material.emissiveTexture.used()) return material;
+  material.unlit = true;
+  material.baseTexture = material.emissiveTexture;
+  material.baseColor = Vec4(material.emissive, material.baseColor.w);
+  material.emissiveTexture = material.normalTexture = {};
+  return material;
+}
+
 Averages averagesOf(const Scene &scene, const Material &material) {
   Averages averages;
   averages.base = Vec3(average(scene, material.baseTexture));

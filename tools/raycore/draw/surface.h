@@ -21,6 +21,9 @@ struct Averages {
   float metallic = 1, roughness = 1, transmission = 1;
 };
 
+// A black material whose texture glows shows that texture as it is: an unlit one.
+Material asDrawn(Material material);
+
 Averages averagesOf(const Scene &scene, const Material &material);
 Surface surfaceOf(const Material &material, const Averages &averages);
 

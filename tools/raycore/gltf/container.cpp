@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "gltf/container.h"
 
+#include <algorithm>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 namespace rc::tool::gltf {
 namespace {
@@ -16,11 +18,11 @@ uint32_t wordAt(std::string_view bytes, size_t offset) {
   return word;
 }
 
-Json parse(std::string_view text) {
+std::shared_ptr<const Json> parse(std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   try {
-    Json json = Json::parse(text);
-    if (!json.is_object()) reject("JSON: is not an object");
+    auto json = std::make_shared<const Json>(Json::parse(text));
+    if (!json->is_object()) reject("JSON: is not an object");
     return json;
   } catch (const Json::parse_error &error) {
     const size_t at = std::min(error.byte, text.size());

@@ -4,6 +4,7 @@
 // container.h: a .glb or .gltf file -> its JSON and its binary chunk. [glTF 2.0, 4]
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +14,7 @@
 namespace rc::tool::gltf {
 
 struct Container {
-  Json json;
+  std::shared_ptr<const Json> json;
   std::optional<std::string_view> binary;  // within the file's bytes
 };
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "gltf/document.h"
 
+#include <algorithm>
 #include <array>
 
 #include "load/file.h"

@@ -21,7 +21,7 @@ class Document {
  public:
   Document(std::string_view bytes, std::string folder);
 
-  Value root() const { return {&mContainer.json, {}}; }
+  Value root() const { return {mContainer.json.get(), {}}; }
   Value operator[](const char *key) const { return root()[key]; }
   size_t countOf(const char *array) const { return root()[array].size(); }
   const std::string &folder() const { return mFolder; }

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "gltf/json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace rc::tool::gltf {
 
 Value Value::operator[](const char *key) const {

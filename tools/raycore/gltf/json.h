@@ -4,7 +4,7 @@
 // json.h: a value of a JSON document and its place in it, so that every complaint says where.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
+#include <algorithm>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "doctor/checks.h"
+
+namespace rc::tool {
+
+std::vector<Check> examine() {
+  std::vector<Check> checks{checkLibrary(),      checkSettings(), checkDevice(),
+                            checkInstructions(), checkThreads(),  checkPicture()};
+  for (Check &check : checkDisplay()) checks.push_back(std::move(check));
+  for (Check (*check)() : {checkFolders, checkFilms, checkLibraries}) checks.push_back(check());
+  return checks;
+}
+
+}  // namespace rc::tool
