@@ -95,6 +95,15 @@ Array<RCubyte> readPixels(RCint x, RCint y, RCsizei width, RCsizei height, RCenu
   return Array<RCubyte>(picture[py::slice(py::none(), py::none(), py::int_(-1))]);
 }
 
+// What the primary rays of pixels meet, counted from the lower left corner; the top row first.
+Array<float> readRays(RCint x, RCint y, RCsizei width, RCsizei height, RCenum pname) {
+  Array<float> rays(std::vector<py::ssize_t>{std::max(height, 0), std::max(width, 0)});
+  std::fill_n(rays.mutable_data(), rays.size(), -1.0f);
+  rcReadRaysRCX(x, y, width, height, pname, rays.mutable_data());
+  throwIfFailed();
+  return Array<float>(rays[py::slice(py::none(), py::none(), py::int_(-1))]);
+}
+
 void addNames(py::module_ &m) {
   const auto names = [&](const char *gen, void (*make)(RCsizei, RCuint *)) {
     m.def(
@@ -172,6 +181,7 @@ void addImages(py::module_ &module) {
   addNames(module);
   addBuffers(module);
   module.def("read_pixels", readPixels, "x"_a, "y"_a, "width"_a, "height"_a, "format"_a = RC_RGB);
+  module.def("read_rays", readRays, "x"_a, "y"_a, "width"_a, "height"_a, "pname"_a);
 }
 
 }  // namespace raycore

@@ -123,6 +123,20 @@ def test_pictures_begin_at_the_top(context):
     assert rows[: len(rows) // 2].sum() > rows[len(rows) // 2 :].sum()
 
 
+def test_rays_tell_what_they_meet(context):
+    """A triangle in the plane z = 0, the eye in front of it: seen in the middle, not in the upper corners."""
+    rc.perspective(60, 1, 1, 100)
+    rc.look_at((0, 0, 3), (0, 0, 0))
+    rc.draw([[-1, -1, 0], [1, -1, 0], [0, 1, 0]])
+    _, _, width, height = (int(number) for number in rc.get_integer(rc.VIEWPORT))
+    distances = rc.read_rays(0, 0, width, height, rc.RAY_DISTANCE)
+    assert distances.shape == (height, width) and distances.dtype == numpy.float32
+    assert abs(distances[height // 2, width // 2] - 3) < 0.01
+    assert distances[0, 0] == distances[0, -1] == -1
+    with pytest.raises(rc.Error, match="nothing that a ray tells"):
+        rc.read_rays(0, 0, 1, 1, rc.RGBA)
+
+
 def test_textures_show(context):
     red = numpy.zeros((16, 16, 3), dtype=numpy.uint8)
     red[..., 0] = 255

@@ -25,7 +25,6 @@ SPECIAL = {
     "rcColor4ub": "color",
 }
 LEFT_OUT = {
-    "rcReadRaysRCX": "not bound yet",
     "rcCompressedTexSubImage2D": "no format can be changed in part: it always fails",
     "rcGetPointerv": "pointers are arrays in Python",
     "rcDebugMessageCallbackRCX": "its messages are those of raycore.Error",
@@ -37,7 +36,7 @@ def python_name(name):
     if name in SPECIAL:
         return SPECIAL[name]
     name = re.sub(r"^rcu?(?=[A-Z])", "", name)
-    name = re.sub(r"OES$", "", name)
+    name = re.sub(r"(OES|RCX)$", "", name)
     name = re.sub(r"^GetFixedv$", "GetFloatv", name)
     if not name.endswith("Matrix"):
         name = re.sub(r"(?<=[a-z])[1-4]?(f|x|i|fv|xv|iv|v)$", "", name)
