@@ -59,7 +59,9 @@ class ShortageTest : public testing::TestWithParam<Case> {
     } else {
       EXPECT_EQ(program.shortages() > 0, failed);
       // A texture that could not be loaded has no part to replace.
-      if (!failed) EXPECT_EQ(program.otherError(), RCenum(RC_NO_ERROR));
+      if (!failed) {
+        EXPECT_EQ(program.otherError(), RCenum(RC_NO_ERROR));
+      }
       program.draw();
       EXPECT_EQ(program.shortages(), 0);
       EXPECT_EQ(program.otherError(), RCenum(RC_NO_ERROR));
