@@ -45,7 +45,7 @@ expect 0 '^note +films .*not installed' PATH=/nowhere
 DISPLAY=:9999 "$tool" doctor --json | grep -q '"ok": false' || say "--json does not tell of a problem"
 
 # Every variable of the documents is one that doctor knows.
-names=$(grep -oE '^\| `RAYCORE_[A-Z]+' "$source/docs/environment.md" | tr -d '|` ')
+names=$(grep -oE '^\| `RAYCORE_[A-Z_]+' "$source/docs/environment.md" | tr -d '|` ')
 [ "$(wc -w <<<"$names")" -ge 10 ] || say "the names of variables are not found"
 for name in $names; do expect 0 "^ok +settings +$name=$" "$name="; done
 
