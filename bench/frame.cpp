@@ -62,7 +62,7 @@ void measure(const FrameScene &scene, int width, int height, int threads, const 
   std::vector<double> ours, theirs, submits;
   int frame = 0;
   for (int round = 0; round < arguments.rounds; ++round) {
-    Stage stage(scene, width, height, threads);
+    Stage stage(scene, width, height);
     stage.draw(frame++);
     for (int i = 0; i < kFrames; ++i) {
       const FrameTimes times = stage.draw(frame++);
@@ -92,8 +92,8 @@ int main(int argc, char **argv) {
   } else {
     writeSoups(soups, arguments.scenes);
   }
-  // The library reads RAYCORE_THREADS once.
   const int threads = arguments.threads.size() == 1 ? arguments.threads[0] : 2;
+  useThreads(threads);
   if (!arguments.chosen) arguments.names = {"cornell", "bunny", "sponza", "sponzamirror", "dyn70k", "dyn10k"};
   std::vector<Result> results;
   for (const std::string &name : arguments.names) {

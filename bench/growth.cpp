@@ -48,7 +48,7 @@ Result measure(const Series &series, const Point &point, int threads, int frames
     std::printf("%s: skipped, its file is not in %s\n", point.scene.c_str(), folder.c_str());
     return {};
   }
-  Stage stage(*scene, point.size.width, point.size.height, threads);
+  Stage stage(*scene, point.size.width, point.size.height);
   stage.draw(0);
   std::vector<double> times;
   for (int i = 1; i <= frames; ++i) times.push_back(stage.draw(i).whole());
@@ -70,6 +70,7 @@ Result measure(const Series &series, const Point &point, int threads, int frames
 int main(int argc, char **argv) {
   const Arguments arguments = readArguments(argc, argv);
   const int threads = arguments.threads.size() == 1 ? arguments.threads[0] : 2;
+  useThreads(threads);
   std::printf("| growth with | | ms a frame | +- | rays | ns a ray |\n|---|---:|---:|---:|---:|---:|\n");
   std::vector<Result> results;
   for (const Series &series : allSeries()) {

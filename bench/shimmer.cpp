@@ -3,7 +3,6 @@
 //
 // How near pictures of a checkered floor come to one of 256 samples a pixel, on the floor up to the horizon and in a
 // mirror ball above it: without mip levels, with them, and with more samples. Decibels, and milliseconds a frame.
-#include <EGL/egl.h>
 #include <RC/rc.h>
 #include <RC/rcu.h>
 
@@ -11,12 +10,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <vector>
 
 #include "base/stopwatch.h"
+#include "frames/offscreen.h"
 
 namespace {
+
+using rc::bench::Offscreen;
 
 constexpr int kWidth = 320, kHeight = 192, kFiner = 16;  // 256 pixels of the finer picture are one of the picture
 
@@ -55,27 +56,7 @@ std::vector<float> unitBall(int n) {
 
 class Floor {
  public:
-  Floor(int width, int height) : mWidth(width), mHeight(height) {
-    const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-    mDisplay = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    EGLConfig config;
-    EGLint count = 0;
-    if (!eglInitialize(mDisplay, nullptr, nullptr) || !eglChooseConfig(mDisplay, nullptr, &config, 1, &count) ||
-        !(mSurface = eglCreatePbufferSurface(mDisplay, config, size)) ||
-        !(mContext = eglCreateContext(mDisplay, config, EGL_NO_CONTEXT, nullptr)) ||
-        !eglMakeCurrent(mDisplay, mSurface, mSurface, mContext)) {
-      std::fprintf(stderr, "EGL error 0x%04X\n", unsigned(eglGetError()));
-      std::exit(1);
-    }
-    setUp();
-  }
-  ~Floor() {
-    eglMakeCurrent(mDisplay, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(mDisplay, mContext);
-    eglDestroySurface(mDisplay, mSurface);
-  }
-  Floor(const Floor &) = delete;
-  Floor &operator=(const Floor &) = delete;
+  Floor(int width, int height) : mScreen(width, height) { setUp(); }
 
   // Milliseconds of a frame.
   double draw(const Way &way) {
@@ -94,17 +75,13 @@ class Floor {
     }
     return best;
   }
-  Pixels pixels() const {
-    Pixels pixels(size_t(mWidth) * size_t(mHeight) * 4);
-    rcReadPixels(0, 0, mWidth, mHeight, RC_RGBA, RC_UNSIGNED_BYTE, pixels.data());
-    return pixels;
-  }
+  const Offscreen &screen() const { return mScreen; }
 
  private:
   void setUp() {
     rcDisable(RC_LIGHTING);
     rcClearColor(0.5f, 0.5f, 0.5f, 1);
-    rcuPerspective(60, float(mWidth) / float(mHeight), 0.01f, 10000);
+    rcuPerspective(60, float(kWidth) / float(kHeight), 0.01f, 10000);
     rcuLookAt(0, 2, 6, 0, 1.6f, 0, 0, 1, 0);
     RCuint names[2];
     rcGenMaterials(2, names);
@@ -160,10 +137,7 @@ class Floor {
     rcDisableClientState(RC_NORMAL_ARRAY);
   }
 
-  int mWidth, mHeight;
-  EGLDisplay mDisplay = nullptr;
-  EGLSurface mSurface = nullptr;
-  EGLContext mContext = nullptr;
+  Offscreen mScreen;
   RCuint mChecker = 0, mMirror = 0;
   std::vector<float> mBall = unitBall(96);
 };
@@ -203,16 +177,6 @@ double psnr(const Pixels &pixels, const std::vector<double> &truth, bool ball) {
   return 10 * std::log10(255.0 * 255.0 * count / sum);
 }
 
-void save(const char *path, const Pixels &pixels, int width, int height) {
-  std::FILE *file = std::fopen(path, "wb");
-  if (!file) return std::perror(path);
-  std::fprintf(file, "P6\n%d %d\n255\n", width, height);
-  for (int y = height - 1; y >= 0; --y) {
-    for (int x = 0; x < width; ++x) std::fwrite(&pixels[4 * (size_t(y) * size_t(width) + size_t(x))], 1, 3, file);
-  }
-  std::fclose(file);
-}
-
 }  // namespace
 
 int main(int argc, char **argv) {
@@ -220,18 +184,17 @@ int main(int argc, char **argv) {
   {
     Floor fine(kWidth * kFiner, kHeight * kFiner);
     fine.draw(kWays[0]);
-    ofSquares = reduced(fine.pixels(), false);
-    aboutCorners = reduced(fine.pixels(), true);
+    ofSquares = reduced(fine.screen().pixels(), false);
+    aboutCorners = reduced(fine.screen().pixels(), true);
   }
   Floor floor(kWidth, kHeight);
   std::printf("| texture and samples | floor, dB | in the ball, dB | ms |\n|---|---:|---:|---:|\n");
   for (size_t i = 0; i < std::size(kWays); ++i) {
     const double time = floor.draw(kWays[i]);
-    const Pixels pixels = floor.pixels();
+    const Pixels pixels = floor.screen().pixels();
     const std::vector<double> &truth = kWays[i].several() ? ofSquares : aboutCorners;
     std::printf("| %s | %.1f | %.1f | %.2f |\n", kWays[i].name, psnr(pixels, truth, false), psnr(pixels, truth, true),
                 time);
-    if (argc > 1)
-      save((std::string(argv[1]) + "/shimmer" + std::to_string(i) + ".ppm").c_str(), pixels, kWidth, kHeight);
+    if (argc > 1) floor.screen().save(std::string(argv[1]) + "/shimmer" + std::to_string(i) + ".ppm");
   }
 }

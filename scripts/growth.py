@@ -7,7 +7,7 @@ import math
 import sys
 
 WIDTH, HEIGHT, LEFT, TOP, GAP = 340, 210, 52, 30, 40
-# series: title, logarithmic axes, name of x
+# series: title, whether the axes are logarithmic
 PLOTS = {
     "triangles": ("triangles (both axes logarithmic)", True),
     "lights": ("lights with shadows", False),

@@ -2,38 +2,15 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "frames/stage.h"
 
-#include <EGL/egl.h>
 #include <RC/rcu.h>
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 
 #include "base/stopwatch.h"
 
 namespace rc::bench {
-Stage::Stage(const FrameScene &scene, int width, int height, int threads)
-    : mScene(scene), mWidth(width), mHeight(height) {
-  setenv("RAYCORE_THREADS", std::to_string(threads).c_str(), 1);
-  const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-  mDisplay = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-  EGLConfig config;
-  EGLint count = 0;
-  if (!eglInitialize(mDisplay, nullptr, nullptr) || !eglChooseConfig(mDisplay, nullptr, &config, 1, &count) ||
-      !(mSurface = eglCreatePbufferSurface(mDisplay, config, size)) ||
-      !(mContext = eglCreateContext(mDisplay, config, EGL_NO_CONTEXT, nullptr)) ||
-      !eglMakeCurrent(mDisplay, mSurface, mSurface, mContext)) {
-    std::fprintf(stderr, "EGL error 0x%04X\n", unsigned(eglGetError()));
-    std::exit(1);
-  }
-  setUp();
-}
 
-Stage::~Stage() {
-  eglMakeCurrent(mDisplay, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglDestroyContext(mDisplay, mContext);
-  eglDestroySurface(mDisplay, mSurface);
-}
+Stage::Stage(const FrameScene &scene, int width, int height) : mScene(scene), mScreen(width, height) { setUp(); }
 
 void Stage::setUp() {
   const Camera &camera = mScene.camera;
@@ -49,7 +26,7 @@ void Stage::setUp() {
     rcLightfv(light, RC_SPECULAR, white);
   }
   rcClearColor(0.1f, 0.15f, 0.25f, 1);
-  rcuPerspective(camera.degrees, float(mWidth) / float(mHeight), 0.01f, 10000);
+  rcuPerspective(camera.degrees, float(mScreen.width()) / float(mScreen.height()), 0.01f, 10000);
   rcuLookAt(camera.eye.x, camera.eye.y, camera.eye.z, camera.at.x, camera.at.y, camera.at.z, 0, 1, 0);
   rcDepthBounce(mScene.bounces);
   rcStaticSceneBegin();
@@ -101,18 +78,6 @@ double Stage::rays() const {
   RCfloat rays = 0;
   rcGetFloatv(RC_FRAME_RAYS, &rays);
   return double(rays);
-}
-
-void Stage::save(const std::string &path) const {
-  std::vector<unsigned char> pixels(size_t(mWidth) * size_t(mHeight) * 4);
-  rcReadPixels(0, 0, mWidth, mHeight, RC_RGBA, RC_UNSIGNED_BYTE, pixels.data());
-  std::FILE *file = std::fopen(path.c_str(), "wb");
-  if (!file) return std::perror(path.c_str());
-  std::fprintf(file, "P6\n%d %d\n255\n", mWidth, mHeight);
-  for (int y = mHeight - 1; y >= 0; --y) {
-    for (int x = 0; x < mWidth; ++x) std::fwrite(&pixels[4 * (size_t(y) * size_t(mWidth) + size_t(x))], 1, 3, file);
-  }
-  std::fclose(file);
 }
 
 }  // namespace rc::bench

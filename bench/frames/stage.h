@@ -6,6 +6,7 @@
 
 #include <RC/rc.h>
 
+#include "frames/offscreen.h"
 #include "frames/scenes.h"
 
 namespace rc::bench {
@@ -17,15 +18,11 @@ struct FrameTimes {
 
 class Stage {
  public:
-  // Ends the program if there is no context to be had.
-  Stage(const FrameScene &scene, int width, int height, int threads);
-  ~Stage();
-  Stage(const Stage &) = delete;
-  Stage &operator=(const Stage &) = delete;
+  Stage(const FrameScene &scene, int width, int height);
 
   FrameTimes draw(int frame);
-  double rays() const;                       // of the last frame
-  void save(const std::string &path) const;  // the picture, as PPM
+  double rays() const;  // of the last frame
+  void save(const std::string &path) const { mScreen.save(path); }
 
  private:
   void setUp();
@@ -33,8 +30,7 @@ class Stage {
   RCuint makeMaterial(const Surface &surface) const;
 
   const FrameScene &mScene;
-  int mWidth, mHeight;
-  void *mDisplay = nullptr, *mContext = nullptr, *mSurface = nullptr;
+  Offscreen mScreen;
   RCuint mMovingMaterial = 0;
   std::vector<std::vector<Vec3>> mDeformed;
 };

@@ -3,53 +3,15 @@
 //
 // Random walks over displays, contexts, surfaces and threads, in whatever order they are made, made current, destroyed
 // and terminated: each call is compared with a model of a few lines. [EGL 1.5, 3.2, 3.5, 3.7]
-#include <condition_variable>
-#include <functional>
-#include <mutex>
 #include <random>
 #include <set>
-#include <thread>
 
 #include "RC/rc.h"
+#include "common/worker.h"
 #include "egl/egl_fixture.h"
 
 namespace rc::test {
 namespace {
-
-// A thread that does one thing after the other, each when it is told to.
-class Worker {
- public:
-  Worker() : mThread([this] { loop(); }) {}
-  ~Worker() {
-    run(nullptr);
-    mThread.join();
-  }
-  void run(std::function<void()> task) {
-    std::unique_lock lock(mMutex);
-    mTask = std::move(task);
-    mBusy = true;
-    mChanged.notify_all();
-    mChanged.wait(lock, [&] { return !mBusy; });
-  }
-
- private:
-  void loop() {
-    std::unique_lock lock(mMutex);
-    for (bool on = true; on;) {
-      mChanged.wait(lock, [&] { return mBusy; });
-      on = mTask != nullptr;
-      if (on) mTask();
-      mBusy = false;
-      mChanged.notify_all();
-    }
-  }
-
-  std::mutex mMutex;
-  std::condition_variable mChanged;
-  std::function<void()> mTask;
-  bool mBusy = false;
-  std::thread mThread;
-};
 
 constexpr int kNowhere = -1;
 

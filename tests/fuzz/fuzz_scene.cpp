@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "draw/show.h"
@@ -53,7 +54,8 @@ void unpack(std::string_view bytes) { tool::unpacked(bytes); }
 template <size_t N>
 void readForeign(const char (&extension)[N], std::string_view bytes) {
   if (!std::getenv("RAYCORE_FUZZ_FOREIGN")) return;
-  const std::string name = "/tmp/raycore_fuzz_" + std::to_string(getpid()) + extension;
+  std::string name = (std::filesystem::temp_directory_path() / "raycore-fuzz-XXXXXX").string() + extension;
+  close(mkstemps(name.data(), N - 1));
   std::ofstream(name, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
   struct Removal {
     const std::string &file;

@@ -40,11 +40,12 @@ void CpuUnits::addVisible(const SceneView &scene, const ShadowQueue &shadows, co
   if (!scene.filtersShadow()) return addLit(shadows, mBlocked.data(), sums);
   // Rays that meet nothing are lit, those that meet filters alone ask the scalar unit.
   mFiltered.resize(count);
-  mOpen.resize(count);
-  for (size_t i = 0; i < count; ++i) mOpen[i] = mBlocked[i] ? -kInfinity : mEnd[i];
-  findBlocked(scene, rays, mOpen.data(), Blocking::Filter, mFiltered.data());
-  for (size_t i = 0; i < count; ++i) mFiltered[i] = mFiltered[i] && !mBlocked[i];
-  for (size_t i = 0; i < count; ++i) mBlocked[i] |= mFiltered[i];
+  for (size_t i = 0; i < count; ++i) mEnd[i] = mBlocked[i] ? -kInfinity : mEnd[i];
+  findBlocked(scene, rays, mEnd.data(), Blocking::Filter, mFiltered.data());
+  for (size_t i = 0; i < count; ++i) {
+    mFiltered[i] &= !mBlocked[i];
+    mBlocked[i] |= mFiltered[i];
+  }
   addLit(shadows, mBlocked.data(), sums);
   for (size_t i = 0; i < count; ++i) {
     if (!mFiltered[i]) continue;

@@ -27,7 +27,7 @@ class CpuUnits {
   }
 
  private:
-  hal::Column<float> mEnd, mOpen;  // of shadow rays; of those that nothing opaque blocks
+  hal::Column<float> mEnd;  // of shadow rays
   hal::Column<uint8_t> mBlocked, mFiltered;
 };
 

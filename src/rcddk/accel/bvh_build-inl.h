@@ -19,7 +19,7 @@ namespace rc::ddk::HWY_NAMESPACE {
 
 class Builder {
  public:
-  // The first `count` references; what room there is behind them is for parts of triangles.
+  // references: one for each triangle; what room there is behind them is for parts of triangles.
   Builder(std::span<BuildReference> references, std::span<const hal::HotTriangle> triangles)
       : mReferences(references), mTriangles(triangles) {}
 

@@ -84,6 +84,11 @@ void walkBvh(const AccelView &accel, const TraversalRay &ray, const float &tMax,
   }
 }
 
+// A ray that starts on the plane crosses it at t = 0, from the side it does not go to.
+inline bool meetsLeftFirst(const KdNode8 &node, float origin, float inverse) {
+  return origin < node.split || (origin == node.split && inverse >= 0);
+}
+
 template <class Leaf>
 void walkKdTree(const AccelView &accel, const TraversalRay &ray, const float &tMax, Leaf &&leaf) {
   struct Entry {
@@ -103,8 +108,7 @@ void walkKdTree(const AccelView &accel, const TraversalRay &ray, const float &tM
       const uint32_t axis = node.axis();
       const float origin = ray.origin[axis];
       const float t = (node.split - origin) * ray.inverse[axis];
-      // A ray that starts on the plane crosses it at t = 0, from the side it does not go to.
-      const bool leftFirst = origin < node.split || (origin == node.split && ray.inverse[axis] >= 0);
+      const bool leftFirst = meetsLeftFirst(node, origin, ray.inverse[axis]);
       const uint32_t near = leftFirst ? at.node + 1 : node.right();
       const uint32_t far = leftFirst ? node.right() : at.node + 1;
       const float tEarly = t * (1 - kSlack), tLate = t * (1 + kSlack);
@@ -178,6 +182,10 @@ inline Hit closestHit(const SceneView &scene, const Ray &ray) { return nextHit(s
 // Triangles that let no light through, and those that may let some through.
 enum class Blocking { Opaque, Filter };
 
+inline bool isOf(const HotTriangle &triangle, Blocking kind) {
+  return ((triangle.flags & kFiltersShadow) != 0) == (kind == Blocking::Filter);
+}
+
 // Whether such a triangle lies before tMax.
 inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax, Blocking by) {
   const TraversalRay traversal(ray);
@@ -188,8 +196,7 @@ inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax, Blocki
       for (const uint32_t index : indices) {
         const HotTriangle &triangle = geometry.triangles[index];
         Hit hit;
-        const bool filters = (triangle.flags & kFiltersShadow) != 0;
-        if (filters != (by == Blocking::Filter) || !intersectTriangle(sheared, triangle, hit)) continue;
+        if (!isOf(triangle, by) || !intersectTriangle(sheared, triangle, hit)) continue;
         if (hit.t > 0 && hit.t < tMax) return blocked = true;
       }
       return false;

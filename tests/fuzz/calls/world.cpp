@@ -119,27 +119,4 @@ uint64_t World::drawable() {
   return least;
 }
 
-void Worker::start(std::function<void()> task) {
-  const std::lock_guard lock(mMutex);
-  mTask = std::move(task);
-  mBusy = true;
-  mChanged.notify_all();
-}
-
-void Worker::await() {
-  std::unique_lock lock(mMutex);
-  mChanged.wait(lock, [&] { return !mBusy; });
-}
-
-void Worker::loop() {
-  std::unique_lock lock(mMutex);
-  for (bool on = true; on;) {
-    mChanged.wait(lock, [&] { return mBusy; });
-    on = mTask != nullptr;
-    if (on) mTask();
-    mBusy = false;
-    mChanged.notify_all();
-  }
-}
-
 }  // namespace rc::fuzz

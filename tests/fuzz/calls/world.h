@@ -9,13 +9,11 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-#include <condition_variable>
-#include <functional>
 #include <mutex>
-#include <thread>
 
 #include "RC/rc.h"
 #include "RC/rcu.h"
+#include "common/worker.h"
 #include "input.h"
 
 namespace rc::fuzz {
@@ -57,29 +55,6 @@ class World {
   std::vector<KnownSync> mSyncs;
 };
 
-// Does what it is told, on a thread of its own.
-class Worker {
- public:
-  Worker() : mThread([this] { loop(); }) {}
-  ~Worker() {
-    start(nullptr);
-    mThread.join();
-  }
-  void start(std::function<void()> task);
-  void await();
-  void run(std::function<void()> task) {
-    start(std::move(task));
-    await();
-  }
-
- private:
-  void loop();
-
-  std::mutex mMutex;
-  std::condition_variable mChanged;
-  std::function<void()> mTask;
-  bool mBusy = false;
-  std::thread mThread;
-};
+using test::Worker;
 
 }  // namespace rc::fuzz

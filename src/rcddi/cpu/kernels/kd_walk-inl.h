@@ -30,13 +30,10 @@ struct alignas(64) KdEntry {
 
 HWY_INLINE void setUp(const Batch &batch, size_t packet, KdRays &rays) {
   const D16 d;
-  const auto small = hn::Set(d, 1e-20f);  // as in the scalar unit
   for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto direction = hn::LoadU(d, batch.direction[axis] + packet * kPacketRays + i);
-      const auto enough = hn::Ge(hn::Abs(direction), small);
-      hn::Store(hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(enough, direction, hn::CopySign(small, direction))), d,
-                rays.inverse[axis] + i);
+      hn::Store(inverseOf(d, direction), d, rays.inverse[axis] + i);
     }
   }
 }
@@ -75,16 +72,12 @@ HWY_INLINE uint32_t lanesIn(const KdEntry &at, const float *t) {
   return bits;
 }
 
-HWY_INLINE bool meetsLeftFirst(const hal::KdNode8 &node, float origin, float inverse) {
-  return origin < node.split || (origin == node.split && inverse >= 0);
-}
-
 // Shares the parts out to the children, as the scalar unit does ray by ray. `at` becomes the child that ray `lane`
 // meets first, `second` the other one. Returns whether any ray has a part in that.
 HWY_INLINE bool descend(const hal::KdNode8 &node, const float *origins, const float *inverses, size_t lane, KdEntry &at,
                         KdEntry &second) {
   const D16 d;
-  const bool isLeftFirst = meetsLeftFirst(node, origins[lane], inverses[lane]);
+  const bool isLeftFirst = hal::meetsLeftFirst(node, origins[lane], inverses[lane]);
   second.node = isLeftFirst ? node.right() : at.node + 1;
   at.node = isLeftFirst ? at.node + 1 : node.right();
   const auto split = hn::Set(d, node.split), none = hn::Set(d, -kInfinity);

@@ -23,9 +23,7 @@ struct Geometry {
   uint32_t base;   // number of its first primitive
   Blocking asked;  // of rays that ask for any hit
 
-  bool counts(const hal::HotTriangle &triangle) const {
-    return ((triangle.flags & hal::kFiltersShadow) != 0) == (asked == Blocking::Filter);
-  }
+  bool counts(const hal::HotTriangle &triangle) const { return hal::isOf(triangle, asked); }
 };
 
 constexpr size_t kLanes = 16;

@@ -29,11 +29,9 @@ HWY_INLINE void setUp(const Batch &batch, size_t packet, SlabRays &out) {
   const D16 d;
   for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
     const size_t from = packet * kPacketRays + i;
-    const auto small = hn::Set(d, 1e-20f);  // as in the scalar unit
     for (int axis = 0; axis < 3; ++axis) {
       const auto direction = hn::LoadU(d, batch.direction[axis] + from);
-      const auto enough = hn::Ge(hn::Abs(direction), small);
-      const auto inverse = hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(enough, direction, hn::CopySign(small, direction)));
+      const auto inverse = inverseOf(d, direction);
       const auto start = hn::Mul(hn::LoadU(d, batch.origin[axis] + from), inverse);
       const auto error = hn::Mul(hn::Abs(start), hn::Set(d, 0x1p-21f)), farther = hn::Set(d, kFarther);
       hn::Store(inverse, d, out.nearInverse[axis] + i);

@@ -38,6 +38,14 @@ HWY_INLINE uint32_t bitsOf(D d, hn::Mask<D> mask) {
   return bits;
 }
 
+// 1 / direction, finite also where that is 0, as in hal::TraversalRay.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V inverseOf(D d, V direction) {
+  const V small = hn::Set(d, 1e-20f);
+  const auto enough = hn::Ge(hn::Abs(direction), small);
+  return hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(enough, direction, hn::CopySign(small, direction)));
+}
+
 // Takes the lowest bit off.
 HWY_INLINE uint32_t nextBit(uint32_t &bits) {
   const auto bit = static_cast<uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
