@@ -35,7 +35,7 @@ class RaycoreTracer final : public Tracer {
     hal::Hit found[kMost];
     uint8_t blocked[kMost];
     if (kind == kShadow) {
-      ddi::cpu::findBlocked(mView, stream, rays.column(6) + begin, hal::Blocking::Opaque, blocked);
+      ddi::cpu::findBlocked(mView, stream, rays.column(6) + begin, blocked, nullptr);
       for (size_t i = begin; i < end; ++i) hits[i].primitive = blocked[i - begin] ? 0 : kMiss;
     } else {
       ddi::cpu::closestHits(mView, stream, found);

@@ -108,7 +108,7 @@ TEST_P(Offsets, ASheetCloseByIsMet) {
     const SceneView &view = scene.update();
     const Ray ray{point->start(point->flatNormal), point->flatNormal};
     ++tried;
-    passed += closestHit(view, ray).primitive != 1 || !isBlocked(view, ray, GetParam().size, Blocking::Opaque);
+    passed += closestHit(view, ray).primitive != 1 || !isBlocked(view, ray, GetParam().size);
   }
   EXPECT_GT(tried, kTriangles / 2);
   EXPECT_EQ(passed, 0) << "of " << tried;

@@ -19,12 +19,12 @@ HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 void closestHitsOf(const hal::SceneView &scene, const RayStream &rays, hal::Hit *hits) {
-  traceStream<false>(scene, rays, nullptr, Blocking::Opaque, hits, nullptr);
+  traceStream<false>(scene, rays, nullptr, nullptr, hits, nullptr);
 }
 
-void findBlockedOf(const hal::SceneView &scene, const RayStream &rays, const float *tMax, Blocking by,
-                   uint8_t *blocked) {
-  traceStream<true>(scene, rays, tMax, by, nullptr, blocked);
+void findBlockedOf(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked,
+                   FilterHits *filters) {
+  traceStream<true>(scene, rays, tMax, filters, nullptr, blocked);
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
@@ -40,8 +40,9 @@ void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::Hit *h
   HWY_DYNAMIC_DISPATCH(closestHitsOf)(scene, rays, hits);
 }
 
-void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, Blocking by, uint8_t *blocked) {
-  HWY_DYNAMIC_DISPATCH(findBlockedOf)(scene, rays, tMax, by, blocked);
+void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked,
+                 FilterHits *filters) {
+  HWY_DYNAMIC_DISPATCH(findBlockedOf)(scene, rays, tMax, blocked, filters);
 }
 
 }  // namespace rc::ddi::cpu

@@ -9,8 +9,7 @@
 
 #include <array>
 
-#include "rchal/device.h"
-#include "rchal/units/traversal.h"
+#include "rcddi/cpu/filter_hits.h"
 
 namespace rc::ddi::cpu {
 
@@ -22,9 +21,9 @@ struct RayStream {
 // The nearest hit of each ray.
 void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::Hit *hits);
 
-using hal::Blocking;
-
-// blocked[i] = 1 if a triangle that is asked for lies before tMax[i] on ray i, else 0.
-void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, Blocking by, uint8_t *blocked);
+// blocked[i] = 1 if a triangle that lets no light through lies before tMax[i] on ray i, else 0. filters, unless null:
+// receives where rays that are not blocked cross the others.
+void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked,
+                 FilterHits *filters);
 
 }  // namespace rc::ddi::cpu

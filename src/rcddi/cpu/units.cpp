@@ -36,22 +36,30 @@ void CpuUnits::addVisible(const SceneView &scene, const ShadowQueue &shadows, co
   mBlocked.resize(count);
   for (size_t i = 0; i < count; ++i) mEnd[i] = shadowEnd(shadows.distance[i]);
   const RayStream rays = streamOf(shadows.origin, shadows.direction, count);
-  findBlocked(scene, rays, mEnd.data(), Blocking::Opaque, mBlocked.data());
-  if (!scene.filtersShadow()) return addLit(shadows, mBlocked.data(), sums);
-  // Rays that meet nothing are lit, those that meet filters alone ask the scalar unit.
-  mFiltered.resize(count);
-  for (size_t i = 0; i < count; ++i) mEnd[i] = mBlocked[i] ? -kInfinity : mEnd[i];
-  findBlocked(scene, rays, mEnd.data(), Blocking::Filter, mFiltered.data());
-  for (size_t i = 0; i < count; ++i) {
-    mFiltered[i] &= !mBlocked[i];
-    mBlocked[i] |= mFiltered[i];
+  if (!scene.filtersShadow()) {
+    findBlocked(scene, rays, mEnd.data(), mBlocked.data(), nullptr);
+    return addLit(shadows, mBlocked.data(), sums);
+  }
+  mFilters.reset(count);
+  findBlocked(scene, rays, mEnd.data(), mBlocked.data(), &mFilters);
+  // Rays that meet nothing are lit, those that meet filters alone follow.
+  mFiltered.resize(0);
+  for (uint32_t i = 0; i < count; ++i) {
+    if (!mFilters.hasTooMany(i) && (mBlocked[i] || !mFilters.meetsAny(i))) continue;
+    mBlocked[i] = 1;
+    mFiltered.push_back(i);
   }
   addLit(shadows, mBlocked.data(), sums);
-  for (size_t i = 0; i < count; ++i) {
-    if (!mFiltered[i]) continue;
-    const ShadowItem item = shadows[i];
-    sums.add(item.pixel, item.colour * throughFilters(scene, item.ray, mEnd[i]));
+  for (size_t k = 0; k < mFiltered.size(); ++k) addFiltered(scene, shadows[mFiltered[k]], mFiltered[k], sums);
+}
+
+void CpuUnits::addFiltered(const SceneView &scene, const ShadowItem &item, size_t ray, const PixelSums &sums) const {
+  if (mFilters.hasTooMany(ray)) {
+    return sums.add(item.pixel, item.colour * visibility(scene, item.ray, item.distance));
   }
+  FilteredLight light(scene, item.ray.direction);
+  mFilters.forEach(ray, [&](const Hit &hit) { return light.pass(hit); });
+  sums.add(item.pixel, item.colour * light.share());
 }
 
 }  // namespace rc::ddi::cpu

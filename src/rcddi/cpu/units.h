@@ -5,6 +5,7 @@
 // In: queues.  Out: queues, sums.  Next: rcddi/cpu/trace.h, rcddi/cpu/shade.h
 #pragma once
 
+#include "rcddi/cpu/filter_hits.h"
 #include "rcddi/cpu/shade.h"
 
 namespace rc::ddi::cpu {
@@ -27,8 +28,13 @@ class CpuUnits {
   }
 
  private:
+  void addFiltered(const hal::SceneView &scene, const hal::ShadowItem &item, size_t ray,
+                   const hal::PixelSums &sums) const;
+
   hal::Column<float> mEnd;  // of shadow rays
-  hal::Column<uint8_t> mBlocked, mFiltered;
+  hal::Column<uint8_t> mBlocked;
+  hal::Column<uint32_t> mFiltered;  // those that cross filters alone
+  FilterHits mFilters;
 };
 
 }  // namespace rc::ddi::cpu

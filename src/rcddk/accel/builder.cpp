@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddk/accel/builder.h"
 
+#include <algorithm>
+
 namespace rc::ddk {
 
 using hal::HotTriangle;
@@ -25,6 +27,25 @@ Array<Reference> makeReferences(std::span<const HotTriangle> triangles, Bounds &
   return references;
 }
 
+namespace {
+
+// The median of some triangles' longest sides along an axis.
+float grainOf(std::span<const HotTriangle> triangles) {
+  constexpr size_t kSample = 511;
+  const size_t step = triangles.size() / kSample + 1;
+  float lengths[kSample + 1];
+  size_t count = 0;
+  for (size_t i = 0; i < triangles.size(); i += step) {
+    Bounds box;
+    for (const Vec3 &v : {triangles[i].v0, triangles[i].v1, triangles[i].v2}) box.add(v);
+    lengths[count++] = maxComponent(box.size());
+  }
+  std::nth_element(lengths, lengths + count / 2, lengths + count);
+  return lengths[count / 2];
+}
+
+}  // namespace
+
 // So few triangles are sorted by the surface area heuristic within a millisecond or two.
 constexpr size_t kFewTriangles = 8192;
 
@@ -38,6 +59,7 @@ Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const W
   accel.kind = kind;
   accel.triangles = triangles.size();
   if (triangles.empty()) return accel;
+  accel.grain = grainOf(triangles);
   if (kind == AccelKind::KdTree) workers.run([&] { buildKdTree(triangles, accel); });
   if (kind == AccelKind::Bvh) {
     if (lifetime == Lifetime::Frame && triangles.size() > kFewTriangles) {

@@ -17,6 +17,7 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
                         const Vec3 &direction) {
   const HotTriangle &triangle = geometry.triangles[index];
   const MaterialRow &material = materialOf(scene, geometry, triangle);
+  if ((triangle.flags & kFiltersShadow) == kTransmittanceShadow) return material.shadowTint;
   const SurfacePoint point = surfacePoint(geometry, index, hit, direction);
   float opacity = 1;
   if (triangle.flags & (kAlphaShadow | kAlphaTestMask) && material.texture != kNoTexture) {
@@ -32,27 +33,41 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
 // How far a shadow ray looks: a light that lies on a surface is not hidden by it.
 inline float shadowEnd(float distance) { return distance * (1 - 1e-5f); }
 
-// What the triangles let through that let some light through, where no other is in the way.
-inline Rgb throughFilters(const SceneView &scene, const Ray &ray, float end) {
-  Rgb share{1};
-  if (!scene.filtersShadow()) return share;
-  HitOrder last;
-  bool filtered = false;  // by the last one
-  for (;;) {
-    const Hit hit = nextHit(scene, ray, last, end);
-    if (!hit.found()) return share;
-    const auto [geometry, index] = placeOf(scene, hit.primitive);
-    const Rgb passing = shadowFilter(scene, geometry, index, hit, ray.direction);
-    if (!filtered || !isSameSurface(scene, last, hit)) share *= passing;
-    if (maxComponent(share) <= 0) return Rgb(0);
-    last = {hit.t, hit.primitive};
-    filtered = passing != Rgb(1);
+// What is left of the light on its way through triangles that let some through, which are told from near to far.
+class FilteredLight {
+ public:
+  FilteredLight(const SceneView &scene, const Vec3 &direction) : mScene(scene), mDirection(direction) {}
+
+  // Returns whether anything is left.
+  bool pass(const Hit &hit) {
+    const auto [geometry, index] = placeOf(mScene, hit.primitive);
+    const Rgb passing = shadowFilter(mScene, geometry, index, hit, mDirection);
+    if (!mFiltered || !isSameSurface(mScene, mLast, hit)) mShare *= passing;
+    if (maxComponent(mShare) <= 0) mShare = Rgb(0);
+    mLast = {hit.t, hit.primitive};
+    mFiltered = passing != Rgb(1);
+    return mShare != Rgb(0);
   }
-}
+  const Rgb &share() const { return mShare; }
+  const HitOrder &last() const { return mLast; }
+
+ private:
+  const SceneView &mScene;
+  const Vec3 mDirection;
+  Rgb mShare{1};
+  HitOrder mLast;
+  bool mFiltered = false;  // by the last one
+};
 
 inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   const float end = shadowEnd(distance);
-  return isBlocked(scene, ray, end, Blocking::Opaque) ? Rgb(0) : throughFilters(scene, ray, end);
+  if (isBlocked(scene, ray, end)) return Rgb(0);
+  FilteredLight light(scene, ray.direction);
+  if (!scene.filtersShadow()) return light.share();
+  for (;;) {
+    const Hit hit = nextHit(scene, ray, light.last(), end);
+    if (!(hit.t < end) || !light.pass(hit)) return light.share();
+  }
 }
 
 }  // namespace rc::hal

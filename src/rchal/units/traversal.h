@@ -179,15 +179,11 @@ inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after
 
 inline Hit closestHit(const SceneView &scene, const Ray &ray) { return nextHit(scene, ray, HitOrder{}, kInfinity); }
 
-// Triangles that let no light through, and those that may let some through.
-enum class Blocking { Opaque, Filter };
+// Whether a triangle may let light through.
+inline bool filtersShadow(const HotTriangle &triangle) { return (triangle.flags & kFiltersShadow) != 0; }
 
-inline bool isOf(const HotTriangle &triangle, Blocking kind) {
-  return ((triangle.flags & kFiltersShadow) != 0) == (kind == Blocking::Filter);
-}
-
-// Whether such a triangle lies before tMax.
-inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax, Blocking by) {
+// Whether a triangle that lets none through lies before tMax.
+inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax) {
   const TraversalRay traversal(ray);
   const ShearedRay sheared(ray);
   bool blocked = false;
@@ -196,7 +192,7 @@ inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax, Blocki
       for (const uint32_t index : indices) {
         const HotTriangle &triangle = geometry.triangles[index];
         Hit hit;
-        if (!isOf(triangle, by) || !intersectTriangle(sheared, triangle, hit)) continue;
+        if (filtersShadow(triangle) || !intersectTriangle(sheared, triangle, hit)) continue;
         if (hit.t > 0 && hit.t < tMax) return blocked = true;
       }
       return false;

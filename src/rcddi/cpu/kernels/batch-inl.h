@@ -32,11 +32,14 @@ struct alignas(64) Batch {
   float u[kBatchRays], v[kBatchRays];
   uint32_t primitive[kBatchRays];
   uint32_t index[kBatchRays];    // of the ray in the group, if the batch is not in place
+  size_t first;                  // of the group in the stream
+  FilterHits *filters;           // where rays that ask what blocks them cross filters; may be null
   float columns[6][kBatchRays];  // what origin and direction point to, if not into the stream
 
   hal::Ray ray(size_t i) const {
     return {{origin[0][i], origin[1][i], origin[2][i]}, {direction[0][i], direction[1][i], direction[2][i]}};
   }
+  size_t place(size_t i) const { return first + (inPlace ? i : index[i]); }  // in the stream
 };
 
 // The class of each ray, with the same comparisons as ShearedRay. Returns whether all are the same.

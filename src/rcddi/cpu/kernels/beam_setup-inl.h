@@ -193,7 +193,7 @@ HWY_INLINE void setWindows(const Hulls &hulls, float margin, Beam &beam) {
   }
 }
 
-// The hull of the batch without packets that get wider than `widest`, a share of the scene: these are not in
+// The hull of the batch without packets that get wider than `widest`: these are not in
 // beam.packets.
 HWY_INLINE void makeBeam(const Batch &batch, const Bounds &scene, float widest, bool endless, Beam &beam) {
   const D16 d;
@@ -209,7 +209,7 @@ HWY_INLINE void makeBeam(const Batch &batch, const Bounds &scene, float widest, 
   for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
     V bounds[kBounds];
     boundsOf(d, hulls, i, before, margin, bounds);
-    const auto narrow = hn::Le(spread(d, batch, beam, bounds, scene), hn::Set(d, widest * extent));
+    const auto narrow = hn::Le(spread(d, batch, beam, bounds, scene), hn::Set(d, widest));
     const auto there = hn::Lt(hn::Iota(d, float(i)), hn::Set(d, float(batch.packets)));
     const auto takesPart = hn::And(narrow, there);
     beam.packets |= bitsOf(d, takesPart) << i;

@@ -98,7 +98,7 @@ template <bool kAny, bool kCommon>
 HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &beam, WaitingLeaves &leaves) {
   TriangleLanes triangles;
   uint32_t lanes = 0, changed = 0;
-  for (size_t i = 0; i < leaves.count; ++i) lanes |= addBlock<kAny>(geometry, *leaves.blocks[i], batch, i, triangles);
+  for (size_t i = 0; i < leaves.count; ++i) lanes |= addBlock(*leaves.blocks[i], batch, i, triangles);
   for (size_t i = leaves.count; i < WaitingLeaves::kMost; ++i) clearQuarter(i, triangles);
   Outlines outlines;
   outline(triangles, batch, beam, outlines);

@@ -18,13 +18,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-// How many triangles a packet may meet on a surface that fills the scene evenly; with more of them, its rays go side by
-// side instead. Measured with bench/trace.
-constexpr float kMostInPacket = 40;
+// How wide a packet may get: with more triangles than that side by side, its rays go alone. Measured with bench/trace;
+// half and double that make little difference.
+constexpr float kMostGrains = 6;
 
-// How wide a packet may get for that, as a share of the scene.
-inline float widest(size_t triangles) {
-  return std::min(0.25f, std::sqrt(kMostInPacket / static_cast<float>(triangles)));
+inline float widest(const hal::AccelView &accel, float extent) {
+  return std::min(0.25f * extent, kMostGrains * accel.grain);
 }
 
 template <bool kAny>
@@ -36,6 +35,20 @@ HWY_INLINE void walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) 
   }
 }
 
+inline void blockWithUnit(const hal::SceneView &scene, const Geometry &geometry, Batch &batch, size_t i) {
+  const hal::Ray ray = batch.ray(i);
+  if (hal::isBlocked(scene, ray, batch.t[i])) batch.t[i] = -kInfinity;
+  if (!geometry.view.filtersShadow) return;
+  for (hal::HitOrder last;;) {
+    hal::Hit hit = hal::nextHit(scene, ray, last, batch.t[i]);
+    if (!(hit.t < batch.t[i])) return;
+    const uint32_t primitive = hit.primitive;
+    last = {hit.t, primitive};
+    hit.primitive += geometry.base;
+    if (blockRay(geometry, batch, i, primitive, hit)) return;
+  }
+}
+
 // The scalar unit, for rays from beyond what the kernels' margins cover.
 template <bool kAny>
 HWY_NOINLINE void traceWithUnit(const Geometry &geometry, Batch &batch) {
@@ -43,13 +56,13 @@ HWY_NOINLINE void traceWithUnit(const Geometry &geometry, Batch &batch) {
   scene.geometry[0] = geometry.view;
   for (size_t i = 0; i < batch.rays; ++i) {
     if (kAny) {
-      if (hal::isBlocked(scene, batch.ray(i), batch.t[i], geometry.asked)) batch.t[i] = -kInfinity;
+      blockWithUnit(scene, geometry, batch, i);
       continue;
     }
     hal::Hit hit = hal::closestHit(scene, batch.ray(i));
     if (!hit.found()) continue;
     hit.primitive += geometry.base;
-    if (improves(batch, i, hit)) record<false>(batch, i, hit);
+    if (improves(batch, i, hit)) record(batch, i, hit);
   }
 }
 
@@ -87,7 +100,8 @@ HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
   if (kind == AccelKind::KdTree) return walkKdTree<kAny>(geometry, batch);
   const bool endless = !kAny && geometry.base == 0;  // rays end where they hit another geometry
   Beam beam;
-  makeBeam(batch, bounds, widest(geometry.view.triangles.size()), endless, beam);
+  const float diagonal = glm::length(bounds.size());
+  makeBeam(batch, bounds, widest(geometry.view.accel, diagonal), endless, beam);
   if (beam.packets) walkPackets<kAny>(geometry, batch, beam);
   for (size_t packet = 0; packet < batch.packets; ++packet) {
     if (!(beam.packets >> packet & 1)) walkInLanes<kAny>(geometry, batch, packet);
@@ -105,43 +119,37 @@ HWY_INLINE void deliverInPlace(const Batch &batch, hal::Hit *hits) {
 }
 
 template <bool kAny>
-HWY_INLINE void deliver(const Batch &batch, size_t first, hal::Hit *hits, uint8_t *blocked) {
+HWY_INLINE void deliver(const Batch &batch, hal::Hit *hits, uint8_t *blocked) {
   if constexpr (kAny) {
-    if (batch.inPlace) {
-      for (size_t i = 0; i < batch.rays; ++i) blocked[first + i] = batch.t[i] == -kInfinity;
-      return;
-    }
-    for (size_t i = 0; i < batch.rays; ++i) blocked[first + batch.index[i]] = batch.t[i] == -kInfinity;
+    for (size_t i = 0; i < batch.rays; ++i) blocked[batch.place(i)] = batch.t[i] == -kInfinity;
   } else {
-    if (batch.inPlace) return deliverInPlace(batch, hits + first);
+    if (batch.inPlace) return deliverInPlace(batch, hits + batch.first);
     for (size_t i = 0; i < batch.rays; ++i) {
-      hits[first + batch.index[i]] = {batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]};
+      hits[batch.place(i)] = {batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]};
     }
   }
 }
 
 template <bool kAny>
-HWY_INLINE void traceClass(const hal::SceneView &scene, Blocking asked, Batch &batch, size_t first, hal::Hit *hits,
-                           uint8_t *blocked) {
+HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, hal::Hit *hits, uint8_t *blocked) {
   uint32_t base = 0;
   for (const hal::GeometryView &geometry : scene.geometry) {
-    const bool nothing = geometry.triangles.empty() || (kAny && asked == Blocking::Filter && !geometry.filtersShadow);
-    if (!nothing) traceBatch<kAny>({geometry, base, asked}, batch);
+    if (!geometry.triangles.empty()) traceBatch<kAny>({geometry, base}, batch);
     base += static_cast<uint32_t>(geometry.triangles.size());
   }
-  deliver<kAny>(batch, first, hits, blocked);
+  deliver<kAny>(batch, hits, blocked);
 }
 
 // Copies the rays of a class into the batch's own columns; the last one fills the last packet.
-inline void gather(const RayStream &rays, size_t first, const int32_t *classes, size_t count, int rayClass,
-                   const float *tMax, float *tColumn, Batch &batch, size_t &n) {
+inline void gather(const RayStream &rays, const int32_t *classes, size_t count, int rayClass, const float *tMax,
+                   float *tColumn, Batch &batch, size_t &n) {
   n = 0;
   for (size_t i = 0; i < count; ++i) {
     if (classes[i] == rayClass) batch.index[n++] = static_cast<uint32_t>(i);
   }
   const size_t padded = (n + kPacketRays - 1) / kPacketRays * kPacketRays;
   for (size_t i = 0; i < padded; ++i) {
-    const size_t from = first + batch.index[std::min(i, n - 1)];
+    const size_t from = batch.first + batch.index[std::min(i, n - 1)];
     for (int axis = 0; axis < 3; ++axis) {
       batch.columns[axis][i] = rays.origin[axis][from];
       batch.columns[3 + axis][i] = rays.direction[axis][from];
@@ -156,9 +164,11 @@ inline void gather(const RayStream &rays, size_t first, const int32_t *classes, 
 
 template <bool kAny>
 HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, size_t first, size_t count,
-                           const float *tMax, Blocking asked, hal::Hit *hits, uint8_t *blocked) {
+                           const float *tMax, FilterHits *filters, hal::Hit *hits, uint8_t *blocked) {
   alignas(64) int32_t classes[kBatchRays];
   Batch batch;
+  batch.first = first;
+  batch.filters = filters;
   batch.inPlace = count % kPacketRays == 0 && classify(rays, first, count, classes);
   if (batch.inPlace) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -166,7 +176,7 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
       batch.direction[axis] = rays.direction[axis] + first;
     }
     setUp(batch, count, classes[0], tMax ? tMax + first : nullptr);
-    return traceClass<kAny>(scene, asked, batch, first, hits, blocked);
+    return traceClass<kAny>(scene, batch, hits, blocked);
   }
   if (count % kPacketRays) {
     for (size_t i = 0; i < count; ++i) {
@@ -178,19 +188,19 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
   alignas(64) float tColumn[kBatchRays];
   for (int rayClass = 0; rayClass < int(kClasses); ++rayClass) {
     size_t n = 0;
-    gather(rays, first, classes, count, rayClass, tMax, tColumn, batch, n);
+    gather(rays, classes, count, rayClass, tMax, tColumn, batch, n);
     if (n == 0) continue;
     setUp(batch, n, rayClass, tMax ? tColumn : nullptr);
-    traceClass<kAny>(scene, asked, batch, first, hits, blocked);
+    traceClass<kAny>(scene, batch, hits, blocked);
   }
 }
 
-// tMax, asked: of rays that ask kAny; null else.
+// tMax: null for rays without end. filters: of rays that ask kAny; may be null.
 template <bool kAny>
-inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, Blocking asked,
+inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, FilterHits *filters,
                         hal::Hit *hits, uint8_t *blocked) {
   for (size_t first = 0; first < rays.count; first += kBatchRays) {
-    traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, asked, hits, blocked);
+    traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, filters, hits, blocked);
   }
 }
 

@@ -112,7 +112,6 @@ HWY_INLINE void intersectLeaf(const Geometry &geometry, std::span<const uint32_t
                               size_t packet) {
   TriangleLanes triangles;
   for (const uint32_t primitive : primitives) {
-    if (kAny && !geometry.counts(geometry.view.triangles[primitive])) continue;
     setTriangle<kCommon>(geometry, batch, primitive, triangles);
     intersectPacket<kAny, kCommon>(geometry, batch, triangles, 1, packet);
   }

@@ -20,10 +20,12 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 // A set of triangles on its way through the kernels.
 struct Geometry {
   const hal::GeometryView &view;
-  uint32_t base;   // number of its first primitive
-  Blocking asked;  // of rays that ask for any hit
+  uint32_t base;  // number of its first primitive
 
-  bool counts(const hal::HotTriangle &triangle) const { return hal::isOf(triangle, asked); }
+  // Whether the triangle lets light through to rays that ask what blocks them.
+  bool filters(uint32_t primitive) const {
+    return HWY_UNLIKELY(view.filtersShadow) && hal::filtersShadow(view.triangles[primitive]);
+  }
 };
 
 constexpr size_t kLanes = 16;

@@ -86,7 +86,7 @@ HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t pac
       while (active) walkAlone<kAny>(geometry, batch, rays, begin + nextBit(active), child);
       setEnds(batch, packet, end);
     } else if (child & hal::BvhNode8::kLeaf) {
-      const uint32_t lanes = addBlock<kAny>(geometry, accel.blocks[child & ~hal::BvhNode8::kLeaf], batch, 0, triangles);
+      const uint32_t lanes = addBlock(accel.blocks[child & ~hal::BvhNode8::kLeaf], batch, 0, triangles);
       const bool changed = batch.common ? intersectPacket<kAny, true>(geometry, batch, triangles, lanes, packet)
                                         : intersectPacket<kAny, false>(geometry, batch, triangles, lanes, packet);
       if (changed) setEnds(batch, packet, end);

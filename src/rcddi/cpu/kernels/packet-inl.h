@@ -28,10 +28,8 @@ struct alignas(64) TriangleLanes {
   uint32_t primitive[kLanes];   // in the geometry
 };
 
-// Copies a block into a quarter of the lanes. Returns the lanes that hold a triangle to be tested.
-template <bool kAny>
-HWY_INLINE uint32_t addBlock(const Geometry &geometry, const hal::TriangleBlock4 &block, const Batch &batch,
-                             size_t quarter, TriangleLanes &out) {
+// Copies a block into a quarter of the lanes. Returns the lanes that hold a triangle.
+HWY_INLINE uint32_t addBlock(const hal::TriangleBlock4 &block, const Batch &batch, size_t quarter, TriangleLanes &out) {
   const D4 d;
   const hn::RebindToUnsigned<D4> du;
   const int axes[3] = {batch.kx, batch.ky, batch.kz};
@@ -47,12 +45,6 @@ HWY_INLINE uint32_t addBlock(const Geometry &geometry, const hal::TriangleBlock4
     const auto primitive = hn::Load(du, block.primitive + i);
     hn::Store(primitive, du, out.primitive + first + i);
     lanes |= bitsOf(d, hn::RebindMask(d, hn::Ne(primitive, hn::Set(du, hal::TriangleBlock4::kNone)))) << i;
-  }
-  if (kAny && HWY_UNLIKELY(geometry.view.filtersShadow)) {
-    for (uint32_t rest = lanes; rest;) {
-      const uint32_t lane = nextBit(rest);
-      if (!geometry.counts(geometry.view.triangles[block.primitive[lane]])) lanes &= ~(1u << lane);
-    }
   }
   return lanes << first;
 }
@@ -88,12 +80,32 @@ HWY_INLINE bool improves(const Batch &batch, size_t i, const hal::Hit &hit) {
          hal::HitOrder{hit.t, hit.primitive} < hal::HitOrder{batch.t[i], batch.primitive[i]};
 }
 
-template <bool kAny>
 HWY_INLINE void record(Batch &batch, size_t i, const hal::Hit &hit) {
-  batch.t[i] = kAny ? -kInfinity : hit.t;
+  batch.t[i] = hit.t;
   batch.u[i] = hit.u;
   batch.v[i] = hit.v;
   batch.primitive[i] = hit.primitive;
+}
+
+// A hit before the end of a ray that asks what blocks it. Returns whether the ray needs no more.
+HWY_INLINE bool blockRay(const Geometry &geometry, Batch &batch, size_t i, uint32_t primitive, const hal::Hit &hit) {
+  if (geometry.filters(primitive) && (!batch.filters || i >= batch.rays || batch.filters->note(batch.place(i), hit))) {
+    return false;
+  }
+  batch.t[i] = -kInfinity;
+  return true;
+}
+
+// The same for the rays from `first` on whose lanes are set.
+HWY_NOINLINE bool blockRays(const Geometry &geometry, Batch &batch, size_t first, uint32_t lanes, uint32_t primitive,
+                            const float *t, const float *u, const float *v) {
+  bool changed = false;
+  while (lanes) {
+    const uint32_t lane = nextBit(lanes);
+    changed |=
+        blockRay(geometry, batch, first + lane, primitive, {t[lane], u[lane], v[lane], geometry.base + primitive});
+  }
+  return changed;
 }
 
 // Rays that meet an edge as exactly as float can tell: the scalar unit decides.
@@ -106,9 +118,12 @@ HWY_NOINLINE bool intersectOnEdge(const Geometry &geometry, Batch &batch, uint32
     hal::Hit hit;
     if (!hal::intersectTriangle(hal::ShearedRay(batch.ray(i)), geometry.view.triangles[primitive], hit)) continue;
     hit.primitive = geometry.base + primitive;
-    if (kAny ? !(hit.t > 0 && hit.t < batch.t[i]) : !improves(batch, i, hit)) continue;
-    record<kAny>(batch, i, hit);
-    changed = true;
+    if constexpr (kAny) {
+      changed |= hit.t > 0 && hit.t < batch.t[i] && blockRay(geometry, batch, i, primitive, hit);
+    } else if (improves(batch, i, hit)) {
+      record(batch, i, hit);
+      changed = true;
+    }
   }
   return changed;
 }
@@ -147,10 +162,22 @@ HWY_INLINE bool intersectTriangle(const Geometry &geometry, Batch &batch, const 
   }
   const auto accept = hn::And(inside, hn::And(hn::Gt(t, zero), better));
   if (hn::AllFalse(d, accept)) return changed;
-  hn::Store(hn::IfThenElse(accept, kAny ? hn::Set(d, -kInfinity) : t, best), d, batch.t + i);
-  if constexpr (!kAny) {
-    hn::BlendedStore(hn::Mul(wb, scale), accept, d, batch.u + i);
-    hn::BlendedStore(hn::Mul(wc, scale), accept, d, batch.v + i);
+  const auto u = hn::Mul(wb, scale), v = hn::Mul(wc, scale);
+  if constexpr (kAny) {
+    if (geometry.filters(triangles.primitive[lane])) {
+      alignas(64) float lanes[3][kLanes];
+      hn::Store(t, d, lanes[0]);
+      hn::Store(u, d, lanes[1]);
+      hn::Store(v, d, lanes[2]);
+      changed |=
+          blockRays(geometry, batch, i, bitsOf(d, accept), triangles.primitive[lane], lanes[0], lanes[1], lanes[2]);
+      return changed;
+    }
+    hn::Store(hn::IfThenElse(accept, hn::Set(d, -kInfinity), best), d, batch.t + i);
+  } else {
+    hn::Store(hn::IfThenElse(accept, t, best), d, batch.t + i);
+    hn::BlendedStore(u, accept, d, batch.u + i);
+    hn::BlendedStore(v, accept, d, batch.v + i);
     hn::BlendedStore(hn::Set(du, primitive), hn::RebindMask(du, accept), du, batch.primitive + i);
   }
   return true;

@@ -157,14 +157,15 @@ HWY_INLINE bool intersectBlock(const Geometry &geometry, const hal::TriangleBloc
     const uint32_t primitive = block.primitive[lane];
     if (primitive == hal::TriangleBlock4::kNone) continue;
     const hal::HotTriangle &triangle = geometry.view.triangles[primitive];
-    if (kAny && geometry.view.filtersShadow && !geometry.counts(triangle)) continue;
     hal::Hit hit{hits.t[lane], hits.u[lane], hits.v[lane], 0};
     const bool onEdge = hits.onEdge >> lane & 1;
     if (onEdge && !hal::intersectTriangle(hal::ShearedRay(batch.ray(ray)), triangle, hit)) continue;
     hit.primitive = geometry.base + primitive;
-    if (kAny ? !(hit.t > 0 && hit.t < batch.t[ray]) : !improves(batch, ray, hit)) continue;
-    record<kAny>(batch, ray, hit);
-    if (kAny) return true;
+    if constexpr (kAny) {
+      if (hit.t > 0 && hit.t < batch.t[ray] && blockRay(geometry, batch, ray, primitive, hit)) return true;
+    } else if (improves(batch, ray, hit)) {
+      record(batch, ray, hit);
+    }
   }
   return false;
 }
