@@ -5,8 +5,8 @@
 //   ray generation -> traversal & intersection -> hit point and shading -> shadow rays -> next generation
 // In: SceneView, a tile.  Out: pixels of the Target.
 //
-// There is no recursion: secondary rays wait in one queue for each number of bounces. The deepest queue is
-// served first, a batch at a time, which bounds what is waiting: at most two batches for each bounce.
+// There is no recursion: secondary rays wait in one queue for each number of bounces. The deepest queue with rays for
+// a batch is served first, which bounds what is waiting: less than three batches for each bounce.
 // Colours are summed in an order that depends on the tile alone, so the threads do not change the picture.
 #pragma once
 
@@ -137,11 +137,20 @@ class TileTracer {
 
   void traceGenerations(const SceneView &scene) {
     for (;;) {
-      size_t deepest = mQueues.size();
-      while (deepest > 0 && mQueues[deepest - 1].size() == 0) --deepest;
-      if (deepest == 0) return;
-      traceBatch(scene, int(deepest) - 1, mQueues[deepest - 1], mQueues[deepest]);
+      const size_t bounces = nextGeneration();
+      if (bounces == mQueues.size()) return;
+      traceBatch(scene, int(bounces), mQueues[bounces], mQueues[bounces + 1]);
     }
+  }
+
+  // The deepest queue with rays for a batch; else the shallowest one with any, so that deeper ones fill.
+  size_t nextGeneration() const {
+    for (size_t deepest = mQueues.size(); deepest-- > 0;) {
+      if (mQueues[deepest].size() >= mBatch) return deepest;
+    }
+    size_t shallowest = 0;
+    while (shallowest < mQueues.size() && mQueues[shallowest].size() == 0) ++shallowest;
+    return shallowest;
   }
 
   // Takes the last rays off the queue.

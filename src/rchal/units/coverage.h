@@ -38,6 +38,24 @@ inline float coverage(uint32_t flags, bool front, float opacity) {
   return passesAlphaTest(flags, opacity) ? opacity : 0;
 }
 
+// Whether a ray meets the front: the counter-clockwise side, unless rcFrontFace says otherwise.
+inline bool meetsFront(uint32_t flags, const Vec3 &flatNormal, const Vec3 &direction) {
+  return (glm::dot(flatNormal, direction) < 0) == ((flags & kClockwiseFront) == 0);
+}
+
+// What a triangle is for a ray that looks for light: in the way, or not there, or it has to be looked at.
+enum class Passage { Blocked, Free, Filtered };
+
+inline Passage passageOf(const GeometryView &geometry, uint32_t index, const Vec3 &direction) {
+  const uint32_t flags = geometry.triangles[index].flags, sides = kCullFront | kCullBack;
+  if ((flags & kFiltersShadow) == 0) return Passage::Blocked;
+  if (flags & sides) {
+    const bool front = meetsFront(flags, geometry.attributes[index].flatNormal, direction);
+    if (flags & (front ? kCullFront : kCullBack)) return Passage::Free;
+  }
+  return flags & kFiltersShadow & ~sides ? Passage::Filtered : Passage::Blocked;
+}
+
 // Whether two hits in a row belong to one surface, met at the common edge of two of its triangles: it counts once.
 inline bool isSameSurface(const SceneView &scene, const HitOrder &previous, const Hit &hit) {
   if (previous.primitive == kNoPrimitive) return false;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "rchal/queues.h"
+#include "rchal/units/coverage.h"
 
 namespace rc::hal {
 
@@ -16,7 +17,7 @@ struct SurfacePoint {
   Vec2 uv{0};
   Rgb color{1};      // of the vertices, interpolated
   float safeOffset;  // distance from the surface at which a new ray cannot hit it again
-  bool front;        // the ray met the front: the counter-clockwise side, unless rcFrontFace says otherwise
+  bool front;        // the ray met the front
 
   // Where a ray in the given direction may start.
   Vec3 start(const Vec3 &direction) const {
@@ -39,7 +40,7 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
   point.position = p0 + p1 + p2;
   const Vec3 &geometric = attributes.flatNormal;
   const bool counterClockwise = glm::dot(geometric, direction) < 0;
-  point.front = counterClockwise == ((triangle.flags & kClockwiseFront) == 0);
+  point.front = meetsFront(triangle.flags, geometric, direction);
   point.flatNormal = counterClockwise ? geometric : -geometric;
   point.safeOffset =
       std::max(kPositionError * maxComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2)), triangle.leastOffset);

@@ -42,21 +42,19 @@ class FilteredLight {
   bool pass(const Hit &hit) {
     const auto [geometry, index] = placeOf(mScene, hit.primitive);
     const Rgb passing = shadowFilter(mScene, geometry, index, hit, mDirection);
-    if (!mFiltered || !isSameSurface(mScene, mLast, hit)) mShare *= passing;
+    if (passing == Rgb(1)) return true;
+    if (!isSameSurface(mScene, mLast, hit)) mShare *= passing;
     if (maxComponent(mShare) <= 0) mShare = Rgb(0);
     mLast = {hit.t, hit.primitive};
-    mFiltered = passing != Rgb(1);
     return mShare != Rgb(0);
   }
   const Rgb &share() const { return mShare; }
-  const HitOrder &last() const { return mLast; }
 
  private:
   const SceneView &mScene;
   const Vec3 mDirection;
   Rgb mShare{1};
-  HitOrder mLast;
-  bool mFiltered = false;  // by the last one
+  HitOrder mLast;  // that took some
 };
 
 inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
@@ -64,9 +62,10 @@ inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   if (isBlocked(scene, ray, end)) return Rgb(0);
   FilteredLight light(scene, ray.direction);
   if (!scene.filtersShadow()) return light.share();
-  for (;;) {
-    const Hit hit = nextHit(scene, ray, light.last(), end);
+  for (HitOrder last;;) {
+    const Hit hit = nextHit(scene, ray, last, end);
     if (!(hit.t < end) || !light.pass(hit)) return light.share();
+    last = {hit.t, hit.primitive};
   }
 }
 

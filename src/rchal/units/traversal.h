@@ -10,6 +10,7 @@
 
 #include <optional>
 
+#include "rchal/units/coverage.h"
 #include "rchal/units/intersection.h"
 
 namespace rc::hal {
@@ -179,9 +180,6 @@ inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after
 
 inline Hit closestHit(const SceneView &scene, const Ray &ray) { return nextHit(scene, ray, HitOrder{}, kInfinity); }
 
-// Whether a triangle may let light through.
-inline bool filtersShadow(const HotTriangle &triangle) { return (triangle.flags & kFiltersShadow) != 0; }
-
 // Whether a triangle that lets none through lies before tMax.
 inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax) {
   const TraversalRay traversal(ray);
@@ -190,10 +188,9 @@ inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax) {
   for (const GeometryView &geometry : scene.geometry) {
     walk(geometry, traversal, tMax, [&](std::span<const uint32_t> indices) {
       for (const uint32_t index : indices) {
-        const HotTriangle &triangle = geometry.triangles[index];
         Hit hit;
-        if (filtersShadow(triangle) || !intersectTriangle(sheared, triangle, hit)) continue;
-        if (hit.t > 0 && hit.t < tMax) return blocked = true;
+        if (!intersectTriangle(sheared, geometry.triangles[index], hit) || !(hit.t > 0 && hit.t < tMax)) continue;
+        if (passageOf(geometry, index, ray.direction) == Passage::Blocked) return blocked = true;
       }
       return false;
     });

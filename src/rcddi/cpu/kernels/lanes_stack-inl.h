@@ -22,9 +22,9 @@ struct Geometry {
   const hal::GeometryView &view;
   uint32_t base;  // number of its first primitive
 
-  // Whether the triangle lets light through to rays that ask what blocks them.
+  // Whether the triangle may let rays through that ask what blocks them.
   bool filters(uint32_t primitive) const {
-    return HWY_UNLIKELY(view.filtersShadow) && hal::filtersShadow(view.triangles[primitive]);
+    return HWY_UNLIKELY(view.filtersShadow) && (view.triangles[primitive].flags & hal::kFiltersShadow) != 0;
   }
 };
 

@@ -89,8 +89,11 @@ HWY_INLINE void record(Batch &batch, size_t i, const hal::Hit &hit) {
 
 // A hit before the end of a ray that asks what blocks it. Returns whether the ray needs no more.
 HWY_INLINE bool blockRay(const Geometry &geometry, Batch &batch, size_t i, uint32_t primitive, const hal::Hit &hit) {
-  if (geometry.filters(primitive) && (!batch.filters || i >= batch.rays || batch.filters->note(batch.place(i), hit))) {
-    return false;
+  if (geometry.filters(primitive)) {
+    const hal::Passage passage = hal::passageOf(geometry.view, primitive, batch.ray(i).direction);
+    if (passage == hal::Passage::Free) return false;
+    const bool noted = passage == hal::Passage::Filtered;
+    if (noted && (!batch.filters || i >= batch.rays || batch.filters->note(batch.place(i), hit))) return false;
   }
   batch.t[i] = -kInfinity;
   return true;
