@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The raycore authors
-"""Puts balls of glass about a walking figure: walk_scene.py CesiumMan.glb walk.glb
+"""Puts balls of glass and a light about a walking figure: walk_scene.py CesiumMan.glb walk.glb
 
 The film of docs/numbers.md: raycore render walk.glb --ground mirror --frames 0-299 ...
 """
@@ -10,8 +10,10 @@ import math
 import struct
 import sys
 
-BALLS = [(-0.9, 0.4, 0.3), (0.9, 0.45, 0.2), (-0.55, 0.25, 0.9), (0.6, 0.2, 0.95), (0.1, 0.15, 1.2), (-1.2, 0.3, -0.7)]
-COLOURS = [(0.9, 0.97, 1), (1, 0.9, 0.8), (0.8, 1, 0.85), (1, 1, 1), (0.85, 0.85, 1), (1, 0.85, 0.95)]
+BALLS = [(-0.85, 0.3, 0.35), (0.8, 0.25, 0.5), (0.25, 0.14, 0.95)]  # x, radius, z: they lie on the ground
+COLOURS = [(0.9, 0.97, 1), (1, 0.9, 0.8), (0.8, 1, 0.85)]
+LIGHT = (2.5, 5, 3)
+EXTENSIONS = {"KHR_materials_transmission", "KHR_materials_ior", "KHR_lights_punctual"}
 
 
 def read_glb(path):
@@ -80,8 +82,11 @@ def main():
             {"mesh": len(document["meshes"]) - 1, "translation": [x, size, z], "scale": [size, size, size]}
         )
         document["scenes"][document.get("scene", 0)]["nodes"].append(len(document["nodes"]) - 1)
+    document.setdefault("extensions", {})["KHR_lights_punctual"] = {"lights": [{"type": "point", "intensity": 100}]}
+    document["nodes"].append({"translation": LIGHT, "extensions": {"KHR_lights_punctual": {"light": 0}}})
+    document["scenes"][document.get("scene", 0)]["nodes"].append(len(document["nodes"]) - 1)
     document["buffers"][0]["byteLength"] = len(binary)
-    document["extensionsUsed"] = sorted({"KHR_materials_transmission", "KHR_materials_ior"} | set(document.get("extensionsUsed", [])))
+    document["extensionsUsed"] = sorted(EXTENSIONS | set(document.get("extensionsUsed", [])))
     write_glb(sys.argv[2], document, binary)
 
 

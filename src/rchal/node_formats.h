@@ -67,6 +67,7 @@ inline constexpr int kMaxBvhStack = kMaxTreeDepth * (BvhNode8::kWidth - 1) + 1;
 struct AccelView {
   AccelKind kind = AccelKind::Exhaustive;
   Bounds bounds;                           // of all triangles
+  Bounds core;                             // of most triangles, without the few that lie or reach far out
   float grain = 0;                         // how long most triangles are, about
   std::span<const KdNode8> kdNodes;        // root first; empty where there is nothing
   std::span<const uint32_t> primitives;    // what the leaves of the KD-tree list: indices of triangles

@@ -14,7 +14,8 @@ namespace rc::ddk {
 struct Accel {
   AccelKind kind = AccelKind::Exhaustive;
   Bounds bounds;
-  float grain = 0;  // as in hal::AccelView
+  Bounds core;  // this and grain as in hal::AccelView
+  float grain = 0;
   size_t triangles = 0;
   double builtCost = 0;  // BVH: costOf() when it was built
   Array<hal::KdNode8> kdNodes;
@@ -22,7 +23,7 @@ struct Accel {
   LargeVector<hal::BvhNode8> bvhNodes;
   LargeVector<hal::TriangleBlock4> blocks;
 
-  hal::AccelView view() const { return {kind, bounds, grain, kdNodes, primitives, bvhNodes, blocks}; }
+  hal::AccelView view() const { return {kind, bounds, core, grain, kdNodes, primitives, bvhNodes, blocks}; }
   size_t bytes() const {
     return kdNodes.size() * sizeof(hal::KdNode8) + primitives.size() * sizeof(uint32_t) +
            bvhNodes.size() * sizeof(hal::BvhNode8) + blocks.size() * sizeof(hal::TriangleBlock4);

@@ -143,12 +143,12 @@ HWY_INLINE void boundsOf(D d, const Hulls &hulls, size_t i, bool before, float m
   out[kFar] = hn::Min(hn::Add(load(hulls.far), wide), hn::Set(d, kFarthest));
 }
 
-// The widest that packets get within the scene: how incoherent their rays are.
+// The widest that packets get where most triangles are: how incoherent their rays are.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V spread(D d, const Batch &batch, const Beam &beam, const V (&bounds)[kBounds], const Bounds &scene) {
+HWY_INLINE V spread(D d, const Batch &batch, const Beam &beam, const V (&bounds)[kBounds], const Bounds &core) {
   const V end = hn::Max(bounds[kNear], bounds[kFar]);
   V z = hn::Zero(d);
-  for (const float plane : {scene.lower[batch.kz], scene.upper[batch.kz]}) {
+  for (const float plane : {core.lower[batch.kz], core.upper[batch.kz]}) {
     const V depth = hn::Set(d, beam.zSign * plane + beam.zOffset);
     z = hn::Max(z, hn::Abs(hn::Min(hn::Max(depth, bounds[kNear]), end)));
   }
@@ -195,10 +195,10 @@ HWY_INLINE void setWindows(const Hulls &hulls, float margin, Beam &beam) {
 
 // The hull of the batch without packets that get wider than `widest`: these are not in
 // beam.packets.
-HWY_INLINE void makeBeam(const Batch &batch, const Bounds &scene, float widest, bool endless, Beam &beam) {
+HWY_INLINE void makeBeam(const Batch &batch, const hal::AccelView &accel, float widest, bool endless, Beam &beam) {
   const D16 d;
   using V = hn::Vec<D16>;
-  const float extent = glm::length(scene.size());
+  const float extent = glm::length(accel.bounds.size());
   beam.zSign = batch.direction[batch.kz][0] < 0 ? -1.0f : 1.0f;
   const bool before = placeOrigin(batch, extent, beam);
   const float margin = 0x1p-20f * std::max(std::abs(beam.zOffset), magnitude(batch, 0, batch.packets));
@@ -209,7 +209,7 @@ HWY_INLINE void makeBeam(const Batch &batch, const Bounds &scene, float widest, 
   for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
     V bounds[kBounds];
     boundsOf(d, hulls, i, before, margin, bounds);
-    const auto narrow = hn::Le(spread(d, batch, beam, bounds, scene), hn::Set(d, widest));
+    const auto narrow = hn::Le(spread(d, batch, beam, bounds, accel.core), hn::Set(d, widest));
     const auto there = hn::Lt(hn::Iota(d, float(i)), hn::Set(d, float(batch.packets)));
     const auto takesPart = hn::And(narrow, there);
     beam.packets |= bitsOf(d, takesPart) << i;

@@ -26,6 +26,7 @@ struct WaitingLeaves {
   const hal::TriangleBlock4 *blocks[kMost];  // on their way into the cache
   size_t count = 0;
   uint32_t packets = 0;  // that meet the box of a leaf
+  size_t tests = 0;      // of a triangle with a packet, so far
 };
 
 HWY_INLINE void clearQuarter(size_t quarter, TriangleLanes &triangles) {
@@ -105,6 +106,7 @@ HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &be
   while (leaves.packets) {
     const uint32_t packet = nextBit(leaves.packets);
     const uint32_t seen = trianglesIn(outlines, beam, packet) & lanes;
+    leaves.tests += hwy::PopCount(seen);
     const bool hit = intersectPacket<kAny, kCommon>(geometry, batch, triangles, seen, packet);
     changed |= uint32_t(hit) << packet;
   }
@@ -112,8 +114,12 @@ HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &be
   leaves.count = 0;
 }
 
+// So many triangles, on average, may be tested with a packet until its rays go alone. Measured with bench/trace.
+constexpr size_t kMostTests = 128;
+
+// Returns false if the rays turn out to have too little in common; what they have found by then counts.
 template <bool kAny, bool kCommon>
-HWY_NOINLINE void walkWithBeam(const Geometry &geometry, Batch &batch, Beam &beam) {
+HWY_NOINLINE bool walkWithBeam(const Geometry &geometry, Batch &batch, Beam &beam) {
   const hal::AccelView &accel = geometry.view.accel;
   WaitingLeaves leaves;
   alignas(64) float entered[kLanes];
@@ -121,11 +127,12 @@ HWY_NOINLINE void walkWithBeam(const Geometry &geometry, Batch &batch, Beam &bea
   for (size_t p = 0; p < kPackets; ++p) stack[0].near[p] = beam.packets >> p & 1 ? -kFarthest : kInfinity;
   stack[0].child = 0;
   size_t depth = 1;
-  for (;;) {
+  const size_t mostTests = kMostTests * hwy::PopCount(beam.packets);
+  while (leaves.tests <= mostTests) {
     uint32_t packets = 0;
     while (depth > 0 && !packets) packets = lanesBefore(stack[--depth].near, beam.bounds[kFar]);
     if (!packets) {
-      if (leaves.count == 0) return;
+      if (leaves.count == 0) return true;
       intersectLeaves<kAny, kCommon>(geometry, batch, beam, leaves);
       continue;
     }
@@ -139,6 +146,7 @@ HWY_NOINLINE void walkWithBeam(const Geometry &geometry, Batch &batch, Beam &bea
       depth = pushChildren(accel, accel.bvhNodes[at.child], batch, beam, entered, stack, depth);
     }
   }
+  return false;
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

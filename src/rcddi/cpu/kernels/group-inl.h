@@ -22,17 +22,14 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 // half and double that make little difference.
 constexpr float kMostGrains = 6;
 
-inline float widest(const hal::AccelView &accel, float extent) {
-  return std::min(0.25f * extent, kMostGrains * accel.grain);
+inline float widest(const hal::AccelView &accel) {
+  return std::min(0.25f * glm::length(accel.core.size()), kMostGrains * accel.grain);
 }
 
 template <bool kAny>
-HWY_INLINE void walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) {
-  if (batch.common) {
-    walkWithBeam<kAny, true>(geometry, batch, beam);
-  } else {
-    walkWithBeam<kAny, false>(geometry, batch, beam);
-  }
+HWY_INLINE bool walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) {
+  return batch.common ? walkWithBeam<kAny, true>(geometry, batch, beam)
+                      : walkWithBeam<kAny, false>(geometry, batch, beam);
 }
 
 inline void blockWithUnit(const hal::SceneView &scene, const Geometry &geometry, Batch &batch, size_t i) {
@@ -100,9 +97,8 @@ HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
   if (kind == AccelKind::KdTree) return walkKdTree<kAny>(geometry, batch);
   const bool endless = !kAny && geometry.base == 0;  // rays end where they hit another geometry
   Beam beam;
-  const float diagonal = glm::length(bounds.size());
-  makeBeam(batch, bounds, widest(geometry.view.accel, diagonal), endless, beam);
-  if (beam.packets) walkPackets<kAny>(geometry, batch, beam);
+  makeBeam(batch, geometry.view.accel, widest(geometry.view.accel), endless, beam);
+  if (beam.packets && !walkPackets<kAny>(geometry, batch, beam)) beam.packets = 0;
   for (size_t packet = 0; packet < batch.packets; ++packet) {
     if (!(beam.packets >> packet & 1)) walkInLanes<kAny>(geometry, batch, packet);
   }

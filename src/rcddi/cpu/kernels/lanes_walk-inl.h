@@ -66,6 +66,15 @@ HWY_INLINE void setEnds(const Batch &batch, size_t packet, float *end) {
 }
 
 template <bool kAny>
+HWY_INLINE void goAlone(const Geometry &geometry, Batch &batch, const SlabRays &rays, size_t i, uint32_t child) {
+  if (child & hal::BvhNode8::kLeaf) {
+    intersectBlock<kAny>(geometry, geometry.view.accel.blocks[child & ~hal::BvhNode8::kLeaf], batch, i);
+  } else {
+    walkAlone<kAny>(geometry, batch, rays, i, child);
+  }
+}
+
+template <bool kAny>
 HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t packet) {
   const hal::AccelView &accel = geometry.view.accel;
   const size_t begin = packet * kPacketRays;
@@ -83,7 +92,7 @@ HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t pac
     if (!active) continue;
     const uint32_t child = at.child;
     if (hwy::PopCount(active) <= kFewRays) {
-      while (active) walkAlone<kAny>(geometry, batch, rays, begin + nextBit(active), child);
+      while (active) goAlone<kAny>(geometry, batch, rays, begin + nextBit(active), child);
       setEnds(batch, packet, end);
     } else if (child & hal::BvhNode8::kLeaf) {
       const uint32_t lanes = addBlock(accel.blocks[child & ~hal::BvhNode8::kLeaf], batch, 0, triangles);
