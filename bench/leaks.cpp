@@ -9,8 +9,8 @@
 #include <cstdlib>
 
 #include "common/edge_rays.h"
+#include "common/ray_columns.h"
 #include "peers/soup.h"
-#include "rcddi/cpu/trace.h"
 #include "rchal/units/traversal.h"
 
 namespace {
@@ -22,22 +22,10 @@ constexpr size_t kPart = 65536;
 struct Part {
   std::vector<test::EdgeRays::AimedRay> aimed;
   std::vector<hal::Ray> rays;
-  std::vector<float> columns[6];
   std::vector<hal::Hit> hits;
 
   explicit Part(test::EdgeRays &source) : aimed(source.some(kPart)), hits(aimed.size()) {
-    for (const auto &[ray, latest] : aimed) {
-      rays.push_back(ray);
-      for (int axis = 0; axis < 3; ++axis) {
-        columns[axis].push_back(ray.origin[axis]);
-        columns[3 + axis].push_back(ray.direction[axis]);
-      }
-    }
-  }
-  ddi::cpu::RayStream stream() const {
-    return {{columns[0].data(), columns[1].data(), columns[2].data()},
-            {columns[3].data(), columns[4].data(), columns[5].data()},
-            rays.size()};
+    for (const auto &[ray, latest] : aimed) rays.push_back(ray);
   }
   size_t leaks() const {
     size_t count = 0;
@@ -56,17 +44,9 @@ struct Count {
   }
 };
 
-test::Triangles trianglesOf(const bench::Soup &soup) {
-  test::Triangles triangles;
-  for (size_t i = 0; i + 2 < soup.vertices.size(); i += 3) {
-    triangles.push_back(test::triangle(soup.vertices[i], soup.vertices[i + 1], soup.vertices[i + 2]));
-  }
-  return triangles;
-}
-
 // All instruction sets for each part: what takes the time is to find the rays.
 size_t shoot(const bench::Soup &soup, size_t wanted) {
-  const test::Triangles triangles = trianglesOf(soup);
+  const test::Triangles triangles = test::trianglesOf(soup.vertices);
   test::TestScene bvh(triangles), kdTree(triangles, AccelKind::KdTree);
   const auto device = hal::createDevice("cpu", 1);
   const int64_t targets = hwy::SupportedTargets();
@@ -78,6 +58,7 @@ size_t shoot(const bench::Soup &soup, size_t wanted) {
   test::EdgeRays source(triangles, 1);
   for (size_t done = 0; done * counts.size() < wanted; done += kPart) {
     Part part(source);
+    const test::Columns columns(part.rays);
     device->intersect(kdView, part.rays, part.hits);
     counts[0].add(part);
     for (size_t i = 0; i < part.rays.size(); ++i) part.hits[i] = hal::closestHit(bvhView, part.rays[i]);
@@ -85,7 +66,7 @@ size_t shoot(const bench::Soup &soup, size_t wanted) {
     size_t next = 2;
     for (int64_t rest = targets; rest; rest &= rest - 1, ++next) {
       hwy::SetSupportedTargetsForTest(rest & -rest);
-      ddi::cpu::closestHits(bvhView, part.stream(), part.hits.data());
+      ddi::cpu::closestHits(bvhView, columns.stream(), part.hits.data());
       counts[next].add(part);
     }
     hwy::SetSupportedTargetsForTest(0);

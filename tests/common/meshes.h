@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "rcddk/geometry.h"
@@ -18,6 +19,15 @@ using Triangles = std::vector<hal::HotTriangle>;
 inline hal::HotTriangle triangle(const Vec3 &a, const Vec3 &b, const Vec3 &c, uint32_t material = 0,
                                  uint32_t flags = 0) {
   return {a, b, c, material, flags, 0};
+}
+
+// Three vertices each.
+inline Triangles trianglesOf(std::span<const Vec3> vertices) {
+  Triangles triangles;
+  for (size_t i = 0; i + 2 < vertices.size(); i += 3) {
+    triangles.push_back(triangle(vertices[i], vertices[i + 1], vertices[i + 2]));
+  }
+  return triangles;
 }
 
 // A surface over a grid of n x n cells, 2 n n triangles; point(u, v) for 0 <= u, v <= 1.
