@@ -13,7 +13,7 @@ import sys
 BALLS = [(-0.85, 0.3, 0.35), (0.8, 0.25, 0.5), (0.25, 0.14, 0.95)]  # x, radius, z: they lie on the ground
 COLOURS = [(0.9, 0.97, 1), (1, 0.9, 0.8), (0.8, 1, 0.85)]
 LIGHT = (2.5, 5, 3)
-EXTENSIONS = {"KHR_materials_transmission", "KHR_materials_ior", "KHR_lights_punctual"}
+EXTENSIONS = {f"KHR_{name}" for name in ("materials_transmission", "materials_ior", "materials_volume", "lights_punctual")}
 
 
 def read_glb(path):
@@ -73,7 +73,11 @@ def main():
     normals = add_accessor(document, binary, struct.pack(f"<{len(flat)}f", *flat), 5126, "VEC3", len(vertices))
     order = add_accessor(document, binary, struct.pack(f"<{len(indices)}H", *indices), 5123, "SCALAR", len(indices))
     for (x, size, z), colour in zip(BALLS, COLOURS):
-        glass = {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.5}}
+        glass = {
+            "KHR_materials_transmission": {"transmissionFactor": 1},
+            "KHR_materials_ior": {"ior": 1.5},
+            "KHR_materials_volume": {"thicknessFactor": 2 * size},
+        }
         surface = {"baseColorFactor": [*colour, 1], "metallicFactor": 0, "roughnessFactor": 0}
         document["materials"].append({"pbrMetallicRoughness": surface, "extensions": glass})
         primitive = {"attributes": {"POSITION": positions, "NORMAL": normals}, "indices": order}

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddk/brightness.h"
 
+#include "rcddk/nearest.h"
+
 namespace rc::ddk {
 namespace {
 
@@ -21,12 +23,19 @@ struct Surfaces {
   }
 };
 
-// The least that a light is weakened by.
-float leastAttenuation(const LightRow &light) {
+// What is left of a light where it is strongest, on the surface next to it.
+float mostThatArrives(const SceneView &scene, const LightRow &light) {
   if (light.directional) return 1;
   if (light.constant == 0 && light.linear == 0 && light.quadratic == 0) return 1;
-  if (light.constant <= 0 || light.linear < 0 || light.quadratic < 0) return kInfinity;
-  return 1 / light.constant;
+  if (light.constant < 0 || light.linear < 0 || light.quadratic < 0) return kInfinity;
+  float distance = kInfinity;
+  for (const GeometryView &geometry : scene.geometry) {
+    distance = std::min(distance, nearestSurface(geometry, light.position));
+  }
+  if (distance == kInfinity) return 0;  // there is nothing to shine on
+  // Less what positions and distances are rounded by.
+  distance = std::max(0.0f, distance * (1 - 1e-3f) - 0x1p-20f * maxComponent(glm::abs(light.position)));
+  return 1 / (light.constant + distance * (light.linear + distance * light.quadratic));
 }
 
 }  // namespace
@@ -40,7 +49,7 @@ float brightest(const SceneView &scene) {
     const float onSurface = surfaces.ambient * maxComponent(light.ambient) +
                             surfaces.diffuse * maxComponent(light.diffuse) +
                             surfaces.specular * maxComponent(light.specular);
-    if (onSurface > 0) most += onSurface * leastAttenuation(light);
+    if (onSurface > 0) most += onSurface * mostThatArrives(scene, light);
   }
   return std::max({1.0f, most, maxComponent(scene.clearColor), maxComponent(scene.fog.color)});
 }

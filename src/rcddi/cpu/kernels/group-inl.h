@@ -22,6 +22,9 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 // half and double that make little difference.
 constexpr float kMostGrains = 6;
 
+// So few packets have too little in common to pay for a beam.
+constexpr size_t kFewPackets = 2;
+
 inline float widest(const hal::AccelView &accel) {
   return std::min(0.25f * glm::length(accel.core.size()), kMostGrains * accel.grain);
 }
@@ -97,7 +100,8 @@ HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
   if (kind == AccelKind::KdTree) return walkKdTree<kAny>(geometry, batch);
   const bool endless = !kAny && geometry.base == 0;  // rays end where they hit another geometry
   Beam beam;
-  makeBeam(batch, geometry.view.accel, widest(geometry.view.accel), endless, beam);
+  beam.packets = 0;
+  if (batch.packets > kFewPackets) makeBeam(batch, geometry.view.accel, widest(geometry.view.accel), endless, beam);
   if (beam.packets && !walkPackets<kAny>(geometry, batch, beam)) beam.packets = 0;
   for (size_t packet = 0; packet < batch.packets; ++packet) {
     if (!(beam.packets >> packet & 1)) walkInLanes<kAny>(geometry, batch, packet);
