@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 // So many rays, or fewer, are walked one by one.
-constexpr size_t kFewRays = 3;
+constexpr size_t kFewRays = 5;
 
 // Where the rays meet the boxes of the children. There is no branch on a single child: it cannot be foretold.
 HWY_INLINE ChildrenMet meetChildren(const hal::BvhNode8 &node, const SlabRays &rays, const float *entered,
