@@ -35,6 +35,7 @@ HWY_INLINE bool walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) 
                       : walkWithBeam<kAny, false>(geometry, batch, beam);
 }
 
+// What blocks a ray, and which filters it crosses.
 inline void blockWithUnit(const hal::SceneView &scene, const Geometry &geometry, Batch &batch, size_t i) {
   const hal::Ray ray = batch.ray(i);
   if (hal::isBlocked(scene, ray, batch.t[i])) batch.t[i] = -kInfinity;
