@@ -17,7 +17,7 @@ expect() {  # program: two frames, a picture, exit code 0
 }
 
 # find_package(RayCore)
-cmake -S "$source" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$cc" \
+cmake -S "$source" -B "$scratch/consumer" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$cc" \
   -DCMAKE_CXX_COMPILER="$cxx" >/dev/null
 cmake --build "$scratch/consumer" >/dev/null
 expect "$scratch/consumer/framework_program"
