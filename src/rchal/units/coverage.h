@@ -14,20 +14,22 @@ namespace rc::hal {
 // triangles without a test have no flag, and kAlphaNever for none.
 enum AlphaOutcome : uint32_t { kAlphaLess = 1, kAlphaEqual = 2, kAlphaGreater = 4, kAlphaNever = 7 };
 
+// 0 ... 1 in 255ths, as the texels of most textures have it.
+inline uint32_t in255ths(float share) { return static_cast<uint32_t>(std::floor(share * 255 + 0.5f)); }
+
 // Flags of an alpha test. outcomes: those of AlphaOutcome that pass, 0 (none) ... 7 (all); reference: 0 ... 1.
 inline uint32_t alphaTestFlags(uint32_t outcomes, float reference) {
   if (outcomes == 7) return 0;
   const uint32_t code = outcomes == 0 ? uint32_t{kAlphaNever} : outcomes;
-  const auto level = static_cast<uint32_t>(std::clamp(reference, 0.0f, 1.0f) * 255 + 0.5f);
-  return code << kAlphaTestShift | level << kAlphaReferenceShift;
+  return code << kAlphaTestShift | in255ths(std::clamp(reference, 0.0f, 1.0f)) << kAlphaReferenceShift;
 }
 
-// Opacity counts in 255ths, as the texels of most textures do.
+// opacity: 0 ... 1.
 inline bool passesAlphaTest(uint32_t flags, float opacity) {
   const uint32_t code = (flags & kAlphaTestMask) >> kAlphaTestShift;
   if (code == 0) return true;
   if (code == kAlphaNever) return false;
-  const auto level = static_cast<uint32_t>(opacity * 255 + 0.5f);
+  const uint32_t level = in255ths(opacity);
   const uint32_t reference = flags >> kAlphaReferenceShift & 255;
   return code & (level < reference ? kAlphaLess : level == reference ? kAlphaEqual : kAlphaGreater);
 }
