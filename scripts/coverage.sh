@@ -37,5 +37,5 @@ if [ "${1:-}" = tests ]; then
   done
 fi
 "$(tool llvm-profdata)" merge -sparse "$build"/profiles/*.profraw -o "$build/coverage.profdata"
-"$(tool llvm-cov)" report -instr-profile "$build/coverage.profdata" "${objects[@]}" src \
+"$(tool llvm-cov)" report -instr-profile "$build/coverage.profdata" "${objects[@]:1}" src \
   -show-functions=0 -show-region-summary=0 -show-branch-summary=0

@@ -15,7 +15,7 @@
 
 namespace rc::egl {
 
-struct Size {
+struct alignas(8) Size {  // so that an atomic one is a word, also for Clang without optimisation
   int width = 0, height = 0;
   bool operator==(const Size &) const = default;
 };
