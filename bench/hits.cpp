@@ -4,8 +4,6 @@
 // hits RAYS [scene ...]: so many random, coherent, grazing, axis-parallel and edge-on rays through models, on each
 // structure and instruction set; how many hits differ in any bit from those of the scalar unit. Through the other
 // structure that must find the same. RAYCORE_SCENES names the folder of scenes. Ends with code 1 if a hit differs.
-#include <hwy/targets.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -50,12 +48,10 @@ void scalarHits(const hal::SceneView &scene, std::span<const hal::Ray> rays, std
 void compareTargets(const char *structure, const hal::SceneView &scene, const test::Columns &columns,
                     std::span<const hal::Hit> truth, Counts &counts) {
   std::vector<hal::Hit> hits(truth.size());
-  for (int64_t rest = hwy::SupportedTargets(); rest; rest &= rest - 1) {
-    hwy::SetSupportedTargetsForTest(rest & -rest);
+  test::forEachTarget([&](const char *name) {
     ddi::cpu::closestHits(scene, columns.stream(), hits.data());
-    counts[std::string(structure) + ", " + hwy::TargetName(rest & -rest)].add(hits, truth);
-    hwy::SetSupportedTargetsForTest(0);
-  }
+    counts[std::string(structure) + ", " + name].add(hits, truth);
+  });
 }
 
 size_t compare(const bench::Soup &soup, size_t wanted) {

@@ -3,8 +3,6 @@
 //
 // leaks RAYS [scene ...]: so many rays at the edges and vertices of scanned meshes, on each structure and instruction
 // set; how many of them pass. RAYCORE_SCENES names the folder of scenes. Ends with code 1 if one does.
-#include <hwy/targets.h>
-
 #include <cstdio>
 #include <cstdlib>
 
@@ -49,11 +47,8 @@ size_t shoot(const bench::Soup &soup, size_t wanted) {
   const test::Triangles triangles = test::trianglesOf(soup.vertices);
   test::TestScene bvh(triangles), kdTree(triangles, AccelKind::KdTree);
   const auto device = hal::createDevice("cpu", 1);
-  const int64_t targets = hwy::SupportedTargets();
   std::vector<Count> counts{{"KD-tree, cpu"}, {"BVH, scalar"}};
-  for (int64_t rest = targets; rest; rest &= rest - 1) {
-    counts.push_back({std::string("BVH, ") + hwy::TargetName(rest & -rest)});
-  }
+  test::forEachTarget([&](const char *name) { counts.push_back({std::string("BVH, ") + name}); });
   const hal::SceneView &bvhView = bvh.update(), &kdView = kdTree.update();
   test::EdgeRays source(triangles, 1);
   for (size_t done = 0; done * counts.size() < wanted; done += kPart) {
@@ -64,12 +59,10 @@ size_t shoot(const bench::Soup &soup, size_t wanted) {
     for (size_t i = 0; i < part.rays.size(); ++i) part.hits[i] = hal::closestHit(bvhView, part.rays[i]);
     counts[1].add(part);
     size_t next = 2;
-    for (int64_t rest = targets; rest; rest &= rest - 1, ++next) {
-      hwy::SetSupportedTargetsForTest(rest & -rest);
+    test::forEachTarget([&](const char *) {
       ddi::cpu::closestHits(bvhView, columns.stream(), part.hits.data());
-      counts[next].add(part);
-    }
-    hwy::SetSupportedTargetsForTest(0);
+      counts[next++].add(part);
+    });
   }
   size_t leaks = 0;
   for (const Count &count : counts) {

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddk/nearest.h"
 
+#include "rchal/units/traversal.h"
+
 namespace rc::ddk {
 namespace {
 
@@ -28,35 +30,20 @@ float toTriangle(const HotTriangle &t, const Vec3 &p) {
   return std::min({toSegment(t.v0, t.v1, p), toSegment(t.v1, t.v2, p), toSegment(t.v2, t.v0, p)});
 }
 
-struct Entry {
-  uint32_t child;  // as in BvhNode8
-  float distance;  // squared
-};
-
-// The children that are nearer than `best`, the nearest one last.
-int push(const BvhNode8 &node, const Vec3 &p, float best, Entry *stack, int depth) {
-  const int first = depth;
-  for (uint32_t i = 0; i < BvhNode8::kWidth && node.child[i] != 0; ++i) {
-    const Vec3 lower{node.planes[0][0][i], node.planes[1][0][i], node.planes[2][0][i]};
-    const Vec3 upper{node.planes[0][1][i], node.planes[1][1][i], node.planes[2][1][i]};
-    const float distance = toBox(lower, upper, p);
-    if (!(distance < best)) continue;
-    int place = depth++;
-    for (; place > first && stack[place - 1].distance < distance; --place) stack[place] = stack[place - 1];
-    stack[place] = {node.child[i], distance};
-  }
-  return depth;
-}
-
+// Squared.
 float throughBvh(const GeometryView &geometry, const Vec3 &p) {
   float best = kInfinity;
-  Entry stack[kMaxBvhStack];
+  const auto enter = [&](const Vec3 &lower, const Vec3 &upper) -> std::optional<float> {
+    const float distance = toBox(lower, upper, p);
+    return distance < best ? std::optional(distance) : std::nullopt;
+  };
+  BvhEntry stack[kMaxBvhStack];
   stack[0] = {0, 0};
   for (int depth = 1; depth > 0;) {
-    const Entry at = stack[--depth];
-    if (!(at.distance < best)) continue;
+    const BvhEntry at = stack[--depth];
+    if (!(at.enter < best)) continue;
     if (!(at.child & BvhNode8::kLeaf)) {
-      depth = push(geometry.accel.bvhNodes[at.child], p, best, stack, depth);
+      depth = pushChildren(geometry.accel.bvhNodes[at.child], enter, stack, depth);
       continue;
     }
     const TriangleBlock4 &block = geometry.accel.blocks[at.child & ~BvhNode8::kLeaf];

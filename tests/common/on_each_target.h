@@ -5,7 +5,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cstdlib>
 
@@ -22,14 +21,12 @@ inline size_t raysFromEnvironment(size_t otherwise) {
 // Calls check() with each target alone; the best one afterwards again.
 template <class Check>
 inline void onEachTarget(Check &&check) {
-  const int64_t all = hwy::SupportedTargets();
   int count = 0;
-  for (int64_t rest = all; rest != 0; rest &= rest - 1, ++count) {
-    hwy::SetSupportedTargetsForTest(rest & -rest);
-    SCOPED_TRACE(hwy::TargetName(rest & -rest));
+  forEachTarget([&](const char *name) {
+    SCOPED_TRACE(name);
+    ++count;
     check();
-  }
-  hwy::SetSupportedTargetsForTest(0);
+  });
   EXPECT_GT(count, 0);
 }
 

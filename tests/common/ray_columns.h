@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// ray_columns.h: rays as tests and benches have them for the kernels of the cpu device.
+// ray_columns.h: what tests and benches need to call the kernels of the cpu device: rays in columns, and each of the
+// instruction sets that the machine has.
 #pragma once
+
+#include <hwy/targets.h>
 
 #include <span>
 #include <vector>
@@ -28,5 +31,16 @@ struct Columns {
             values[0].size()};
   }
 };
+
+// use(name) with each of them alone; the best one is chosen afterwards again.
+template <class Use>
+void forEachTarget(Use &&use) {
+  const int64_t all = hwy::SupportedTargets();
+  for (int64_t rest = all; rest != 0; rest &= rest - 1) {
+    hwy::SetSupportedTargetsForTest(rest & -rest);
+    use(hwy::TargetName(rest & -rest));
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
 
 }  // namespace rc::test

@@ -46,13 +46,12 @@ size_t compareHits(const SceneView &scene, const SceneView &plain, std::span<con
 // Of a ray that nothing blocks: where it crosses triangles that let light through.
 std::vector<Hit> crossings(const SceneView &plain, const Ray &ray, float tMax) {
   std::vector<Hit> out;
-  for (HitOrder last;;) {
-    const Hit hit = nextHit(plain, ray, last, tMax);
-    if (!(hit.t < tMax)) return out;
+  forEachHit(plain, ray, tMax, [&](const Hit &hit) {
     const auto [geometry, index] = placeOf(plain, hit.primitive);
     if (passageOf(geometry, index, ray.direction) == Passage::Filtered) out.push_back(hit);
-    last = {hit.t, hit.primitive};
-  }
+    return true;
+  });
+  return out;
 }
 
 std::vector<Hit> crossings(const ddi::cpu::FilterHits &filters, size_t ray) {

@@ -61,12 +61,8 @@ inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
   const float end = shadowEnd(distance);
   if (isBlocked(scene, ray, end)) return Rgb(0);
   FilteredLight light(scene, ray.direction);
-  if (!scene.filtersShadow()) return light.share();
-  for (HitOrder last;;) {
-    const Hit hit = nextHit(scene, ray, last, end);
-    if (!(hit.t < end) || !light.pass(hit)) return light.share();
-    last = {hit.t, hit.primitive};
-  }
+  if (scene.filtersShadow()) forEachHit(scene, ray, end, [&](const Hit &hit) { return light.pass(hit); });
+  return light.share();
 }
 
 }  // namespace rc::hal

@@ -52,17 +52,19 @@ struct BvhEntry {
   float enter;
 };
 
-// Puts the children that the ray meets before tMax onto the stack, the nearest one last.
-inline int pushChildren(const BvhNode8 &node, const TraversalRay &ray, float tMax, BvhEntry *stack, int depth) {
+// Puts the children that are met onto the stack, the nearest one last. enter(lower, upper): where a box is met, if at
+// all.
+template <class Enter>
+int pushChildren(const BvhNode8 &node, Enter &&enter, BvhEntry *stack, int depth) {
   const int first = depth;
   for (uint32_t i = 0; i < BvhNode8::kWidth && node.child[i] != 0; ++i) {
     const Vec3 lower{node.planes[0][0][i], node.planes[1][0][i], node.planes[2][0][i]};
     const Vec3 upper{node.planes[0][1][i], node.planes[1][1][i], node.planes[2][1][i]};
-    const auto inside = clip(ray, lower, upper, tMax);
-    if (!inside) continue;
+    const std::optional<float> met = enter(lower, upper);
+    if (!met) continue;
     int place = depth++;
-    for (; place > first && stack[place - 1].enter < inside->enter; --place) stack[place] = stack[place - 1];
-    stack[place] = {node.child[i], inside->enter};
+    for (; place > first && stack[place - 1].enter < *met; --place) stack[place] = stack[place - 1];
+    stack[place] = {node.child[i], *met};
   }
   return depth;
 }
@@ -80,7 +82,11 @@ void walkBvh(const AccelView &accel, const TraversalRay &ray, const float &tMax,
       if (leaf(std::span<const uint32_t>(block.primitive, block.count()))) return;
     } else {
       if constexpr (requires { leaf.inner(accel.bvhNodes[0]); }) leaf.inner(accel.bvhNodes[at.child]);
-      depth = pushChildren(accel.bvhNodes[at.child], ray, tMax, stack, depth);
+      const auto enter = [&](const Vec3 &lower, const Vec3 &upper) -> std::optional<float> {
+        const auto inside = clip(ray, lower, upper, tMax);
+        return inside ? std::optional(inside->enter) : std::nullopt;
+      };
+      depth = pushChildren(accel.bvhNodes[at.child], enter, stack, depth);
     }
   }
 }
@@ -179,6 +185,16 @@ inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after
 }
 
 inline Hit closestHit(const SceneView &scene, const Ray &ray) { return nextHit(scene, ray, HitOrder{}, kInfinity); }
+
+// visit(hit) for each one before tMax, from near to far, until it returns false.
+template <class Visit>
+void forEachHit(const SceneView &scene, const Ray &ray, float tMax, Visit &&visit) {
+  for (HitOrder last;;) {
+    const Hit hit = nextHit(scene, ray, last, tMax);
+    if (!(hit.t < tMax) || !visit(hit)) return;
+    last = {hit.t, hit.primitive};
+  }
+}
 
 // Whether a triangle that lets none through lies before tMax.
 inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax) {

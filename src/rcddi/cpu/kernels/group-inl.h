@@ -18,12 +18,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
+// So few packets have too little in common to pay for a beam.
+constexpr size_t kFewPackets = 2;
+
 // How wide a packet may get: with more triangles than that side by side, its rays go alone. Measured with bench/trace;
 // half and double that make little difference.
 constexpr float kMostGrains = 6;
-
-// So few packets have too little in common to pay for a beam.
-constexpr size_t kFewPackets = 2;
 
 inline float widest(const hal::AccelView &accel) {
   return std::min(0.25f * glm::length(accel.core.size()), kMostGrains * accel.grain);
@@ -40,14 +40,11 @@ inline void blockWithUnit(const hal::SceneView &scene, const Geometry &geometry,
   const hal::Ray ray = batch.ray(i);
   if (hal::isBlocked(scene, ray, batch.t[i])) batch.t[i] = -kInfinity;
   if (!geometry.view.filtersShadow) return;
-  for (hal::HitOrder last;;) {
-    hal::Hit hit = hal::nextHit(scene, ray, last, batch.t[i]);
-    if (!(hit.t < batch.t[i])) return;
+  hal::forEachHit(scene, ray, batch.t[i], [&](hal::Hit hit) {
     const uint32_t primitive = hit.primitive;
-    last = {hit.t, primitive};
     hit.primitive += geometry.base;
-    if (blockRay(geometry, batch, i, primitive, hit)) return;
-  }
+    return !blockRay(geometry, batch, i, primitive, hit);
+  });
 }
 
 // The scalar unit, for rays from beyond what the kernels' margins cover.
