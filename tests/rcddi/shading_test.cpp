@@ -3,8 +3,8 @@
 //
 // Pictures of the cpu device, on every instruction set and any number of threads, against those of the ref device.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
+#include "common/on_each_target.h"
 #include "rcddi/random_scenes.h"
 #include "rcddk/brightness.h"
 
@@ -54,17 +54,13 @@ class FewerRays : public testing::TestWithParam<uint32_t> {};
 TEST_P(Shading, CpuAgreesWithRefOnEachInstructionSet) {
   const RandomScene scene(GetParam());
   const Picture truth = render("ref", 1, scene.view());
-  const int64_t all = hwy::SupportedTargets();
-  for (int64_t rest = all; rest; rest &= rest - 1) {
-    hwy::SetSupportedTargetsForTest(rest & -rest);
-    SCOPED_TRACE(hwy::TargetName(rest & -rest));
+  onEachTarget([&] {
     const Picture found = render("cpu", 1, scene.view());
     EXPECT_LE(largestDifference(found, truth), 1);
     EXPECT_EQ(found.counts.all(), truth.counts.all());
     EXPECT_EQ(found.counts.shadow, truth.counts.shadow);
     EXPECT_EQ(found.counts.primaryHits, truth.counts.primaryHits);
-  }
-  hwy::SetSupportedTargetsForTest(0);
+  });
 }
 
 TEST_P(Shading, ThreadsDoNotChangeABit) {
