@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // Milliseconds a frame through the public API, beside a Whitted renderer on Embree which traces the same scenes: the
-// program that --peer names. They take turns; medians. On the first of --threads if that is one number, else on two.
+// program that --peer names. They take turns; medians. Where things move also as a film, moving included: each frame
+// finished before the next one is begun, and traced beside it. On the first of --threads if that is one number, else on
+// two.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -59,7 +61,7 @@ Result named(Result result, const FrameScene &scene, const std::string &what, co
 void measure(const FrameScene &scene, int width, int height, int threads, const Arguments &arguments,
              const std::string &soups, std::vector<Result> &results) {
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
-  std::vector<double> ours, theirs, submits;
+  std::vector<double> ours, theirs, submits, finished, swapped;
   int frame = 0;
   for (int round = 0; round < arguments.rounds; ++round) {
     Stage stage(scene, width, height);
@@ -69,6 +71,11 @@ void measure(const FrameScene &scene, int width, int height, int threads, const 
       ours.push_back(times.whole());
       submits.push_back(times.submit);
     }
+    if (!scene.moving.empty()) {
+      finished.push_back(stage.film(frame, kFrames, true));
+      swapped.push_back(stage.film(frame, kFrames, false));
+      frame += kFrames;
+    }
     if (round == 0) {
       std::printf("%-13s %-10s %.0f rays a frame\n", scene.name.c_str(), size.c_str(), stage.rays());
       if (!arguments.pictures.empty()) stage.save(arguments.pictures + "/" + scene.name + ".ppm");
@@ -76,7 +83,11 @@ void measure(const FrameScene &scene, int width, int height, int threads, const 
     if (!arguments.peer.empty()) theirs.push_back(peerMilliseconds(arguments, scene, soups, threads, size));
   }
   results.push_back(named(summary(ours), scene, size, "raycore", threads));
-  if (!scene.moving.empty()) std::printf("%-13s of which submitting %.2f ms\n", "", medianOf(submits));
+  if (!scene.moving.empty()) {
+    std::printf("%-13s of which submitting %.2f ms\n", "", medianOf(submits));
+    results.push_back(named(summary(finished), scene, size, "film, finished", threads));
+    results.push_back(named(summary(swapped), scene, size, "film, swapped", threads));
+  }
   const bool measured = !theirs.empty() && medianOf(theirs) > 0;
   if (measured) results.push_back(named(summary(theirs), scene, size, "embree whitted", threads));
 }

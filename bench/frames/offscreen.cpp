@@ -32,6 +32,10 @@ Offscreen::~Offscreen() {
   eglDestroySurface(mDisplay, mSurface);
 }
 
+void Offscreen::swap() const { eglSwapBuffers(mDisplay, mSurface); }
+
+void Offscreen::wait() const { eglWaitClient(); }
+
 std::vector<unsigned char> Offscreen::pixels() const {
   std::vector<unsigned char> pixels(size_t(mWidth) * size_t(mHeight) * 4);
   rcReadPixels(0, 0, mWidth, mHeight, RC_RGBA, RC_UNSIGNED_BYTE, pixels.data());

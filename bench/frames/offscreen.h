@@ -22,6 +22,8 @@ class Offscreen {
 
   int width() const { return mWidth; }
   int height() const { return mHeight; }
+  void swap() const;
+  void wait() const;                          // for all that was swapped
   std::vector<unsigned char> pixels() const;  // RGBA, from the lower left
   void save(const std::string &path) const;   // as PPM
 

@@ -60,18 +60,38 @@ void Stage::drawMesh(const Mesh &mesh, const std::vector<Vec3> &vertices, RCuint
   rcDisableClientState(RC_NORMAL_ARRAY);
 }
 
-FrameTimes Stage::draw(int frame) {
+void Stage::deformAll(int frame) {
   mDeformed.resize(mScene.moving.size());
   for (size_t i = 0; i < mDeformed.size(); ++i) deform(mScene.moving[i], frame, mDeformed[i]);
-  FrameTimes times;
-  const Stopwatch submitting;
+}
+
+void Stage::submit(int frame) const {
   for (size_t i = 0; i < mDeformed.size(); ++i) drawMesh(mScene.moving[i], mDeformed[i], mMovingMaterial);
   if (mScene.moving.empty()) rcClearColor(0.1f, 0.15f, frame % 2 ? 0.25f : 0.26f, 1);  // else nothing has changed
+}
+
+FrameTimes Stage::draw(int frame) {
+  deformAll(frame);
+  FrameTimes times;
+  const Stopwatch submitting;
+  submit(frame);
   times.submit = submitting.milliseconds();
   const Stopwatch finishing;
   rcFinish();
   times.finish = finishing.milliseconds();
   return times;
+}
+
+double Stage::film(int first, int frames, bool finishes) {
+  const Stopwatch watch;
+  for (int frame = first; frame < first + frames; ++frame) {
+    deformAll(frame);
+    submit(frame);
+    if (finishes) rcFinish();
+    mScreen.swap();
+  }
+  mScreen.wait();
+  return watch.milliseconds() / frames;
 }
 
 double Stage::rays() const {

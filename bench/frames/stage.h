@@ -21,11 +21,16 @@ class Stage {
   Stage(const FrameScene &scene, int width, int height);
 
   FrameTimes draw(int frame);
+  // Milliseconds a frame of so many from `first` on, all of which are swapped, what the program does to move things
+  // included. finishes: each is waited for before the next one is begun.
+  double film(int first, int frames, bool finishes);
   double rays() const;  // of the last frame
   void save(const std::string &path) const { mScreen.save(path); }
 
  private:
   void setUp();
+  void deformAll(int frame);
+  void submit(int frame) const;
   void drawMesh(const Mesh &mesh, const std::vector<Vec3> &vertices, RCuint material) const;
   RCuint makeMaterial(const Surface &surface) const;
 

@@ -9,49 +9,12 @@
 
 #include "api/tokens.h"
 #include "api/trace.h"
+#include "base/stopwatch.h"
 
 namespace rc::api {
 namespace {
 
 constinit thread_local Context *tCurrent = nullptr;
-
-// RC_RAYBOUNCE_THRESHOLD_HINT: secondary rays that count for less than (level + 1) / 100 are dropped.
-float minWeightOf(RCenum hint) {
-  return hint == RC_DONT_CARE ? 0 : static_cast<float>(hint - RC_THRESHOLD_LEVEL0 + 1) * 0.01f;
-}
-
-// Samples a pixel of RC_RENDERING_HINT.
-constexpr int kNicestSamples = 4;
-bool supersampled(RCenum hint) { return hint == RC_NICEST || hint == RC_FASTEST_AND_NICEST; }
-
-// RC_STRUCTURE_HINT; nothing: as the process says.
-std::optional<AccelKind> structureOf(RCenum hint) {
-  constexpr AccelKind kKinds[] = {AccelKind::KdTree, AccelKind::Bvh, AccelKind::Exhaustive};
-  if (hint == RC_DONT_CARE) return std::nullopt;
-  return kKinds[hint - RC_STRUCTURE_KD_TREE];
-}
-
-hal::Fog fogOf(const FogState &state) {
-  if (!state.enabled) return {};
-  const hal::FogMode mode = state.mode == RC_LINEAR ? hal::FogMode::Linear
-                            : state.mode == RC_EXP2 ? hal::FogMode::Exp2
-                                                    : hal::FogMode::Exp;
-  return {mode, state.density, state.start, state.end, Rgb(state.color)};
-}
-
-std::optional<hal::PixelRect> scissorOf(const PictureState &picture) {
-  if (!picture.scissorTest) return std::nullopt;
-  return hal::PixelRect{picture.scissorX, picture.scissorY, picture.scissorWidth, picture.scissorHeight};
-}
-
-// Bits of a pixel that may be written.
-uint32_t writeMaskOf(const PictureState &picture) {
-  uint32_t mask = 0;
-  for (size_t channel = 0; channel < picture.colorMask.size(); ++channel) {
-    if (picture.colorMask[channel]) mask |= 0xffu << 8 * channel;
-  }
-  return mask;
-}
 
 }  // namespace
 
@@ -61,8 +24,10 @@ void setCurrentContext(Context *context) { tCurrent = context; }
 Context::Context(const Settings &settings, std::shared_ptr<SharedObjects> shared)
     : mProfile(profileNamed(settings.profile)),
       mSamples(settings.samples),
+      mPipelines(settings.pipeline),
       mObjects(shared ? std::move(shared) : std::make_shared<SharedObjects>()),
-      mDriver(settings) {
+      mDriver(settings),
+      mBackground(mDriver.workers()) {
   state.light.lights.resize(size_t(mProfile.lights));
   state.depthBounce = mProfile.depthBounce;
   state.material0.specularLevel = mProfile.specularLevel;
@@ -73,7 +38,10 @@ Context::Context(const Settings &settings, std::shared_ptr<SharedObjects> shared
 void Context::attach(DrawSurface *surface) {
   const bool first = surface && !mHadSurface;
   const hal::Target target = first ? surface->backBuffer() : hal::Target{};  // may run out of memory: before the rest
-  if (surface != mSurface) mTraced = kNever;
+  if (surface != mSurface) {
+    awaitPicture();
+    mTraced = mEnded = kNever;
+  }
   mSurface = surface;
   if (!first) return;
   mHadSurface = true;
@@ -83,27 +51,104 @@ void Context::attach(DrawSurface *surface) {
 
 void Context::finish() {
   const std::lock_guard lock(mObjects->mutex);
-  if (scene.inStaticScene()) {
-    scene.abandonStatic();
-    touch();
-    fail(RC_INVALID_OPERATION, "rcStaticSceneBegin without rcStaticSceneEnd; there is no static scene now");
-    if (tracing()) traceLine("frame " + std::to_string(frameNumber()) + ": " + mFailure.reason);
+  await();
+  const std::unique_ptr<Picture> picture = beginPicture();
+  if (!picture) return;
+  try {
+    trace(*picture);
+  } catch (...) {
+    pictureFailed();
+    throw;
   }
-  if (!mSurface) return;
+  mLastFrame = picture->stats;
+}
+
+void Context::finishAndShow(std::function<void()> showIt) {
+  const std::lock_guard lock(mObjects->mutex);
+  if (!mPipelines || !mBackground.possible() || tracing()) {
+    finish();
+    show(showIt);
+  } else {
+    await();
+    std::function<void()> job = [this, showIt = std::move(showIt)] { makePicture(showIt); };
+    mOnItsWay = beginPicture();
+    mLost = true;
+    mBackground.begin(std::move(job));
+    scene.lend();
+  }
+  endFrame();
+}
+
+void Context::await() {
+  const std::lock_guard lock(mObjects->mutex);
+  awaitPicture();
+  scene.giveBack();
+  const std::unique_ptr<Picture> made = std::move(mOnItsWay);
+  if (std::exchange(mLost, false)) {
+    pictureFailed();
+    fail(RC_OUT_OF_MEMORY, "there was not enough memory for the frame before");
+  } else if (made) {
+    mLastFrame = made->stats;
+  }
+}
+
+// In the background.
+void Context::makePicture(const std::function<void()> &showIt) noexcept {
+  try {
+    if (mOnItsWay) trace(*mOnItsWay);
+    show(showIt);
+    mLost = false;
+  } catch (const std::exception &) {  // whoever waits for it is told
+  }
+}
+
+// Nothing where the last picture shows all there is.
+std::unique_ptr<Context::Picture> Context::beginPicture() {
+  if (scene.inStaticScene()) abandonStaticScene();
+  if (!mSurface) return nullptr;
   const hal::Target target = mSurface->backBuffer();
   if (target.width != mWidth || target.height != mHeight) touch();
-  if (mTraced == mObjects->changes) return;
-  mLastFrame = mDriver.trace(frameState(), scene, target);
-  mLastFrame.emptyDraws = std::exchange(mEmptyDraws, 0);
-  mLastFrame.transformMilliseconds = std::exchange(mTransformMilliseconds, 0);
-  mLastFrame.presentMilliseconds = std::exchange(mPresentMilliseconds, 0);
+  if (mTraced == mObjects->changes) return nullptr;
+  auto picture = std::make_unique<Picture>(frameState(), scene);
+  mSurface->asked();
+  // There is memory for all of it.
+  picture->build = scene.beginFrame();
+  picture->surface = mSurface;
+  picture->target = target;
+  picture->number = ++mFrame;
+  picture->stats.emptyDraws = std::exchange(mEmptyDraws, 0);
+  picture->stats.transformMilliseconds = std::exchange(mTransformMilliseconds, 0);
+  picture->stats.presentMilliseconds = std::exchange(mPresentMilliseconds, 0);
   mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;
-  mSurface->traced();
   if (!scene.dynamics().empty()) resetMatrices();
-  reportFrame();
-  ++mFrame;
+  return picture;
+}
+
+void Context::abandonStaticScene() {
+  scene.abandonStatic();
+  touch();
+  fail(RC_INVALID_OPERATION, "rcStaticSceneBegin without rcStaticSceneEnd; there is no static scene now");
+  if (tracing()) traceLine("frame " + std::to_string(frameNumber()) + ": " + mFailure.reason);
+}
+
+void Context::trace(Picture &picture) {
+  mDriver.trace(picture.frame, picture.build, picture.target, picture.stats);
+  picture.surface->traced();
+  report(picture);
+}
+
+void Context::show(const std::function<void()> &show) {
+  const Stopwatch watch;
+  show();
+  mPresentMilliseconds = watch.milliseconds();
+}
+
+// It is asked for again.
+void Context::pictureFailed() {
+  mTraced = mEnded = kNever;
+  scene.abandonFrame();
 }
 
 hal::Target Context::picture() {
@@ -114,16 +159,20 @@ hal::Target Context::picture() {
 void Context::probe(const hal::PixelRect &part,
                     const std::function<void(int column, int row, const ddk::RayAnswer &answer)> &take) {
   finish();
-  mDriver.probe(frameState(), scene, part, take);
+  ddk::Frame frame(frameState(), scene);
+  mDriver.probe(frame, part, take);
 }
 
-AccelKind Context::accelKind() const { return structureOf(state.hints.structure).value_or(mDriver.accelKind()); }
-
-bool Context::pending() const { return mSurface && mTraced != mObjects->changes; }
+bool Context::pending() const {
+  const uint64_t changes = mObjects->changes;
+  return mSurface && mTraced != changes && mEnded != changes;
+}
 
 void Context::endFrame() {
   const std::lock_guard lock(mObjects->mutex);
+  const bool complete = mTraced == mObjects->changes;
   if (scene.endFrame()) touch();
+  if (complete) mEnded = mObjects->changes;
 }
 
 void Context::resetMatrices() {
@@ -132,41 +181,9 @@ void Context::resetMatrices() {
   state.matrices.texture.current() = Mat4(1);
 }
 
-ddk::FrameState Context::frameState() const {
-  ddk::FrameState frame;
-  frame.camera = state.view.camera.view(state.view.width, state.view.height, mProfile.centredFrustum);
-  frame.clearColor = Rgb(state.view.clearColor);
-  frame.materials = mObjects->materials.rows();
-  frame.lights = state.light.lights;
-  frame.lighting = state.light.lighting;
-  frame.defaultLight = mProfile.defaultLightAtEye ? state.view.camera.eye : Vec3(0, 0, 1);
-  frame.shadows = state.shadow.shadow;
-  frame.colourShadow = state.shadow.colour;
-  frame.mipmaps = state.hints.mipmap != RC_NICEST;
-  frame.maxBounces = state.depthBounce;
-  frame.samples = samples();
-  frame.measure = mMeasuresUnits || logEnabled(LogLevel::Frame) || tracing();
-  frame.adaptive = state.hints.rendering == RC_FASTEST_AND_NICEST;
-  frame.minWeight = minWeightOf(state.hints.rayBounceThreshold);
-  if (state.light.lighting) frame.globalAmbient = Rgb(state.light.modelAmbient);
-  frame.fog = fogOf(state.fog);
-  frame.scissor = scissorOf(state.picture);
-  frame.writeMask = writeMaskOf(state.picture);
-  frame.accelKind = accelKind();
-  return frame;
-}
-
-// Those of the surface's configuration, but not fewer than the process asks for, which RC_MULTISAMPLE switches; or as
-// many as a hint asks for.
-int Context::samples() const {
-  const int surface = mSurface ? mSurface->samples() : 1;
-  const int plain = state.picture.multisample ? std::max(mSamples, surface) : 1;
-  return supersampled(state.hints.rendering) ? std::max(plain, kNicestSamples) : plain;
-}
-
-void Context::reportFrame() const {
+void Context::report(const Picture &picture) {
   if (!logEnabled(LogLevel::Frame) && !tracing()) return;
-  const std::string line = "frame " + std::to_string(frameNumber()) + ": " + describe(mLastFrame);
+  const std::string line = "frame " + std::to_string(picture.number) + ": " + describe(picture.stats);
   log(LogLevel::Frame, "%s", line.c_str());
   if (tracing()) traceLine(line);
 }

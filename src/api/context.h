@@ -6,6 +6,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <string>
 
 #include "api/material_table.h"
@@ -25,7 +26,8 @@ class DrawSurface {
   virtual hal::Target backBuffer() = 0;
   // Samples a pixel that its configuration asks for, 1 or more.
   virtual int samples() const { return 1; }
-  // A picture was traced into the back buffer.
+  // A picture of all that was drawn so far is about to be traced into it; it was. The latter on any thread.
+  virtual void asked() {}
   virtual void traced() {}
 };
 
@@ -63,6 +65,7 @@ class Context {
   const SharedObjects &objects() const { return *mObjects; }
   std::shared_ptr<SharedObjects> shared() const { return mObjects; }
   ddk::Driver &driver() { return mDriver; }
+  // Of the last picture that somebody waited for.
   const ddk::FrameStats &lastFrame() const { return mLastFrame; }
 
   // What rcMaterial* and rcEnable(RC_TEXTURE_2D) change.
@@ -84,7 +87,15 @@ class Context {
   int samples() const;
   // Traces the frame if something changed since the last picture.
   void finish();
-  // Whether a surface waits for a picture that rcFinish would trace. Waits for nobody either.
+  // The same, and `show` shows the picture: beside what the program goes on with, if that is possible, and the next
+  // call that needs the picture, or what it is made of, waits for it. Dynamic geometry ends here. An error of such a
+  // picture is noted when somebody waits for it. [eglSwapBuffers]
+  void finishAndShow(std::function<void()> show);
+  // Waits for the picture that is on its way, and for nobody else.
+  void awaitPicture() { mBackground.wait(); }
+  // The same, and what became of it is noted: for all that uses what it is made of.
+  void await();
+  // Whether a surface waits for a picture of something that the program did. Waits for nobody either.
   bool pending() const;
   // The picture as it is after all that was drawn, row by row from the top; no pixels where there is no surface.
   hal::Target picture();
@@ -96,7 +107,6 @@ class Context {
   // A draw call had no vertex array, or an array without memory: it draws nothing.
   void noteEmptyDraw() { ++mEmptyDraws; }
   void noteTransformed(double milliseconds) { mTransformMilliseconds += milliseconds; }
-  void notePresented(double milliseconds) { mPresentMilliseconds = milliseconds; }
   // From the next frame on it is known where the time goes.
   void measureUnits() const { mMeasuresUnits = true; }
   // The picture was shown: dynamic geometry ends here.
@@ -121,17 +131,37 @@ class Context {
  private:
   static constexpr uint64_t kNever = UINT64_MAX;
 
+  // A picture that is traced, or about to be.
+  struct Picture {
+    Picture(const ddk::FrameState &state, ddk::Scene &scene) : frame(state, scene) {}
+
+    ddk::Frame frame;
+    bool build = false;  // the structure of what is dynamic
+    DrawSurface *surface = nullptr;
+    hal::Target target;
+    ddk::FrameStats stats;
+    uint64_t number = 0;
+  };
+
   ddk::FrameState frameState() const;
-  void reportFrame() const;
+  std::unique_ptr<Picture> beginPicture();
+  void trace(Picture &picture);
+  void show(const std::function<void()> &show);
+  void makePicture(const std::function<void()> &show) noexcept;
+  void pictureFailed();
+  void abandonStaticScene();
+  static void report(const Picture &picture);
   void tellCallback();
 
   const Profile &mProfile;
   int mSamples;
+  bool mPipelines;
   std::shared_ptr<SharedObjects> mObjects;
   ddk::Driver mDriver;
   DrawSurface *mSurface = nullptr;
   bool mHadSurface = false;
   uint64_t mTraced = kNever;  // SharedObjects::changes when the last picture of this surface was traced
+  uint64_t mEnded = kNever;   // and when its frame ended
   uint64_t mFrame = 0;
   int mWidth = 0, mHeight = 0;  // of the last picture
   ddk::FrameStats mLastFrame;
@@ -142,6 +172,9 @@ class Context {
   Failure mFailure;
   DebugCallback mDebugCallback;
   const char *mFunction = "";
+  std::unique_ptr<Picture> mOnItsWay;  // while mBackground makes it nothing but that touches it
+  bool mLost = false;                  // it is not made, for want of memory
+  Background mBackground;              // the last member, so that it ends first
 };
 
 // The context of the calling thread, or null.

@@ -17,6 +17,7 @@ extern "C" {
 
 void rcSceneAllInit(void) {
   enter(Call("rcSceneAllInit"), [](Context &context) {
+    context.await();
     context.scene.clear();
     bindMaterial(context, 0);
     context.touch();
@@ -25,6 +26,7 @@ void rcSceneAllInit(void) {
 
 void rcStaticSceneBegin(void) {
   enter(Call("rcStaticSceneBegin"), [](Context &context) {
+    context.await();
     context.scene.beginStatic();
     context.touch();
   });
@@ -33,6 +35,7 @@ void rcStaticSceneBegin(void) {
 void rcStaticSceneEnd(void) {
   enter(Call("rcStaticSceneEnd"), [](Context &context) {
     if (!context.scene.inStaticScene()) return;
+    context.await();
     context.scene.endStatic(context.accelKind(), context.driver().workers());
     context.resetMatrices();
     context.touch();

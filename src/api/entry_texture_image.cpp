@@ -66,9 +66,8 @@ ddk::Texture &currentTexture(Context &context) {
 }
 
 void load(Context &context, ddk::Texels texels, RCsizei width, RCsizei height, RCenum format) {
-  ddk::Texture &texture = currentTexture(context);
-  texture.image = ddk::makeImage(std::move(texels), width, height, context.state.texture.generateMipmap);
-  texture.format = format;
+  const bool mipmaps = context.state.texture.generateMipmap;
+  currentTexture(context).load(ddk::makeImage(std::move(texels), width, height, mipmaps), format);
   context.touch();
 }
 
@@ -109,7 +108,7 @@ bool checkPart(Context &context, RCint level, const hal::PixelRect &part) {
     context.fail(RC_INVALID_OPERATION, "the texture has no image yet");
     return false;
   }
-  const ddk::Image &image = texture.image;
+  const ddk::Image &image = *texture.image;
   const bool inside = part.column >= 0 && part.row >= 0 && part.columns >= 0 && part.rows >= 0 &&
                       part.columns <= image.width && part.column <= image.width - part.columns &&
                       part.rows <= image.height && part.row <= image.height - part.rows;
@@ -122,7 +121,7 @@ bool checkPart(Context &context, RCint level, const hal::PixelRect &part) {
 
 void replacePart(Context &context, const hal::PixelRect &part, const ddk::Texels &texels) {
   if (texels.empty()) return;
-  ddk::replacePart(currentTexture(context).image, part, texels);
+  currentTexture(context).replacePart(part, texels);
   context.touch();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "api/query.h"
 
+#include <algorithm>
+
 #include "api/arrays.h"
 #include "api/switches.h"
 
@@ -97,14 +99,14 @@ QueryResult queryArray(const ArrayState &arrays, RCenum name) {
 }  // namespace
 
 QueryResult query(Context &context, RCenum pname) {
-  for (const std::span<const QueryRow> table :
-       {std::span<const QueryRow>(kRows), rasterQueries(), statisticsQueries()}) {
-    for (const QueryRow &row : table) {
-      if (row.name != pname) continue;
-      QueryResult result{row.kind, row.count, {}};
-      row.read(context, result.values.data());
-      return result;
-    }
+  const auto statistics = statisticsQueries();
+  for (const auto &table : {std::span<const QueryRow>(kRows), rasterQueries(), statistics}) {
+    const auto row = std::find_if(table.begin(), table.end(), [&](const QueryRow &r) { return r.name == pname; });
+    if (row == table.end()) continue;
+    if (table.data() == statistics.data()) context.await();  // they are about the last picture
+    QueryResult result{row->kind, row->count, {}};
+    row->read(context, result.values.data());
+    return result;
   }
   // What can be enabled can be asked for by the same name.
   if (const ClientArray *array = findArray(context.state.arrays, pname)) return single(Kind::Switch, array->enabled);

@@ -27,8 +27,8 @@ constexpr QueryRow units(RCenum name) {
 template <auto member>
 constexpr QueryRow structure(RCenum name) {
   return {name, QueryResult::Kind::Number, 1, [](const Context &c, double *v) {
-            v[0] = double(ddk::shapeOf(c.scene.statics().accel).*member) +
-                   double(ddk::shapeOf(c.scene.dynamics().accel).*member);
+            v[0] = double(ddk::shapeOf(c.scene.staticAccel()).*member) +
+                   double(ddk::shapeOf(c.scene.dynamicAccel()).*member);
           }};
 }
 
@@ -45,7 +45,8 @@ size_t bytesOfTriangles(const ddk::GeometrySet &set) {
 size_t bytesOfTextures(const Context &context) {
   size_t bytes = 0;
   context.objects().textures.forEach([&](const ddk::Texture &texture) {
-    for (const ddk::Texels &level : texture.image.levels) bytes += level.size() * sizeof(uint32_t);
+    if (!texture.loaded()) return;
+    for (const ddk::Texels &level : texture.image->levels) bytes += level.size() * sizeof(uint32_t);
   });
   return bytes;
 }
@@ -78,7 +79,7 @@ constexpr QueryRow kRows[] = {
            }),
     number(RC_MEMORY_STRUCTURE,
            [](const Context &c, double *v) {
-             v[0] = double(c.scene.statics().accel.bytes() + c.scene.dynamics().accel.bytes());
+             v[0] = double(c.scene.staticAccel().bytes() + c.scene.dynamicAccel().bytes());
            }),
     number(RC_MEMORY_TEXTURES, [](const Context &c, double *v) { v[0] = double(bytesOfTextures(c)); }),
     structure<&ddk::AccelShape::nodes>(RC_STRUCTURE_NODES),
@@ -86,7 +87,7 @@ constexpr QueryRow kRows[] = {
     structure<&ddk::AccelShape::cost>(RC_STRUCTURE_COST),
     number(RC_STRUCTURE_DEPTH,
            [](const Context &c, double *v) {
-             v[0] = std::max(ddk::shapeOf(c.scene.statics().accel).depth, ddk::shapeOf(c.scene.dynamics().accel).depth);
+             v[0] = std::max(ddk::shapeOf(c.scene.staticAccel()).depth, ddk::shapeOf(c.scene.dynamicAccel()).depth);
            }),
 };
 

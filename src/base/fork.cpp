@@ -100,8 +100,14 @@ ForkMutex::ForkMutex() : mMutex(std::make_shared<std::recursive_mutex>()) {
   watchForks();
   Registry &known = registry();
   const std::lock_guard lock(known.mutex);
-  std::erase_if(known.all, [](const auto &weak) { return weak.expired(); });
   known.all.push_back(mMutex);
+}
+
+ForkMutex::~ForkMutex() {
+  mMutex = nullptr;  // fork() may still hold it
+  Registry &known = registry();
+  const std::lock_guard lock(known.mutex);
+  std::erase_if(known.all, [](const auto &weak) { return weak.expired(); });
 }
 
 void noteThreads() {

@@ -15,6 +15,7 @@ namespace rc {
 class ForkMutex {
  public:
   ForkMutex();
+  ~ForkMutex();
   ForkMutex(const ForkMutex &) = delete;
   ForkMutex &operator=(const ForkMutex &) = delete;
 

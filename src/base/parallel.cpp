@@ -8,9 +8,11 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/float_mode.h"
@@ -95,13 +97,11 @@ struct Workers::Impl {
   std::unique_ptr<tbb::task_arena> arena;
 };
 
-Workers::Workers(int threads)
-    : mImpl(std::make_unique<Impl>(threads > 0 ? threads : tbb::info::default_concurrency())) {}
-
 // In the child of a fork nothing is known about the arena.
-Workers::~Workers() {
-  if (threadsLostInFork()) static_cast<void>(mImpl.release());
-}
+Workers::Workers(int threads)
+    : mImpl(new Impl(threads > 0 ? threads : tbb::info::default_concurrency()), [](Impl *impl) {
+        if (!threadsLostInFork()) delete impl;
+      }) {}
 
 int Workers::threads() const { return mImpl->count; }
 
@@ -113,7 +113,7 @@ void Workers::forEach(size_t count, const std::function<void(size_t i, int worke
   Handover handover;
   handover.give();
   // One index a task: tiles differ in cost, and stealing single ones keeps all threads busy to the end.
-  mImpl->arena->execute([&] {
+  const auto spread = [&] {
     tbb::parallel_for(
         tbb::blocked_range<size_t>(0, count, 1),
         [&](const tbb::blocked_range<size_t> &range) {
@@ -124,7 +124,9 @@ void Workers::forEach(size_t count, const std::function<void(size_t i, int worke
           handover.finish();
         },
         tbb::simple_partitioner());
-  });
+  };
+  // Whoever waits for the last index must not begin a background job meanwhile: that may take long.
+  mImpl->arena->execute([&] { tbb::this_task_arena::isolate(spread); });
   handover.await();
 }
 
@@ -139,6 +141,68 @@ void Workers::run(const std::function<void()> &body) const {
     handover.finish();
   });
   handover.await();
+}
+
+// The job is done under a lock, so that fork() waits for it. In the child of a fork that came before the job began,
+// nobody is left to begin it but the thread that waits.
+struct Background::Impl {
+  explicit Impl(std::shared_ptr<Workers::Impl> threads)
+      : workers(std::move(threads)), arena(*workers->arena), possible(workers->count > 1) {}
+
+  void perform() {
+    const std::lock_guard lock(mutex);
+    const auto mine = std::exchange(job, nullptr);
+    if (!mine) return;
+    const FloatMode mode;
+    mine();
+  }
+
+  std::shared_ptr<Workers::Impl> workers;
+  tbb::task_arena &arena;
+  bool possible;
+  ForkMutex mutex;
+  std::function<void()> job;
+  tbb::task_group group;
+  Handover handover;
+  bool begun = false;
+};
+
+Background::Background(const Workers &workers) : mImpl(std::make_unique<Impl>(workers.mImpl)) {}
+
+Background::~Background() {
+  try {
+    wait();
+  } catch (...) {  // told to nobody: there is nobody left
+  }
+  if (threadsLostInFork()) static_cast<void>(mImpl.release());
+}
+
+// The program may have told oneTBB to use no threads.
+bool Background::possible() const {
+  using Control = tbb::global_control;
+  return mImpl->possible && Control::active_value(Control::max_allowed_parallelism) > 1 && !threadsLostInFork();
+}
+
+void Background::begin(std::function<void()> job) {
+  Impl &impl = *mImpl;
+  impl.job = std::move(job);
+  impl.handover.give();
+  impl.arena.execute([&] {
+    impl.group.run([&] {
+      impl.handover.take();
+      impl.perform();
+      impl.handover.finish();
+    });
+  });
+  impl.begun = true;
+}
+
+void Background::wait() {
+  Impl &impl = *mImpl;
+  if (!std::exchange(impl.begun, false)) return;
+  if (threadsLostInFork()) return impl.perform();
+  impl.arena.execute([&] { impl.group.wait(); });
+  impl.handover.await();
 }
 
 void both(const std::function<void()> &first, const std::function<void()> &second) {

@@ -10,14 +10,12 @@
 
 namespace rc {
 
-// A set of threads of our own. Other users of oneTBB in the process share its limit on threads.
+// A set of threads of our own; copies are the same set. Other users of oneTBB in the process share its limit on
+// threads.
 class Workers {
  public:
   // threads: 1 or more; 0 = as many as the machine has.
   explicit Workers(int threads);
-  ~Workers();
-  Workers(const Workers &) = delete;
-  Workers &operator=(const Workers &) = delete;
 
   int threads() const;
   // Calls body(i, worker) for each i in [0, count), worker in [0, threads()): no two calls that run at the
@@ -25,6 +23,27 @@ class Workers {
   void forEach(size_t count, const std::function<void(size_t i, int worker)> &body) const;
   // Runs body inside this set of threads; both() inside it is then spread over them.
   void run(const std::function<void()> &body) const;
+
+ private:
+  friend class Background;
+  struct Impl;
+  std::shared_ptr<Impl> mImpl;
+};
+
+// A job that is done beside what the caller goes on with, by a set of threads.
+class Background {
+ public:
+  explicit Background(const Workers &workers);
+  ~Background();  // waits; what the job threw is lost
+  Background(const Background &) = delete;
+  Background &operator=(const Background &) = delete;
+
+  // Whether there is a thread for it: otherwise it would not begin before wait().
+  bool possible() const;
+  // None may be on its way.
+  void begin(std::function<void()> job);
+  // Helps with it until it is done; an exception of the job is thrown here. Does nothing where there is none.
+  void wait();
 
  private:
   struct Impl;

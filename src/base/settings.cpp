@@ -116,6 +116,7 @@ Settings readSettings(EnvironmentLookup lookup, std::string &report) {
   reader.choice("RAYCORE_INSTRUCTION_SET", kInstructionSetChoices, settings.instructionSet);
   reader.bytes("RAYCORE_MEMORY_LIMIT", settings.memoryLimit);
   reader.number("RAYCORE_SAMPLES", 1, 64, settings.samples);
+  reader.choice("RAYCORE_PIPELINE", kSwitch, settings.pipeline);
   reader.number("RAYCORE_FRAMES", 1, 1000000000, settings.frames);
   reader.text("RAYCORE_CAPTURE", settings.capture);
   reader.choice("RAYCORE_LOG", kLogLevels, settings.log);

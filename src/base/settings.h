@@ -22,6 +22,7 @@ struct Settings {
   std::string instructionSet;        // RAYCORE_INSTRUCTION_SET: none better; empty = the best one there is
   uint64_t memoryLimit = 0;          // RAYCORE_MEMORY_LIMIT, bytes; 0 = memory.h decides
   int samples = 1;                   // RAYCORE_SAMPLES: samples a pixel, 1 ... 64
+  bool pipeline = true;              // RAYCORE_PIPELINE=0: swaps return when the picture is shown
   int frames = 0;                    // RAYCORE_FRAMES: the process ends after n swaps; 0 = never
   std::string capture;               // RAYCORE_CAPTURE: file.png, file.ppm, frame-%04d.png
   LogLevel log = LogLevel::Warning;  // RAYCORE_LOG

@@ -37,11 +37,16 @@ void *handleOf(const std::shared_ptr<Object> &object) {
   return object ? object->handle : nullptr;
 }
 
+bool isCurrent(const Current &current, EGLSurface draw, EGLSurface read, EGLContext context) {
+  return handleOf(current.draw) == draw && handleOf(current.read) == read && handleOf(current.context) == context;
+}
+
 }  // namespace
 
 extern "C" {
 
 EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext context) {
+  if (!isCurrent(threadState().current, draw, read, context)) threadState().awaitPicture();
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
     if (draw == EGL_NO_SURFACE && read == EGL_NO_SURFACE && context == EGL_NO_CONTEXT) {
       displayOf(dpy);  // may be terminated already
@@ -70,6 +75,7 @@ EGLSurface eglGetCurrentSurface(EGLint readdraw) {
 }
 
 EGLBoolean eglReleaseThread(void) {
+  threadState().awaitPicture();
   return enter<EGLBoolean>(EGL_FALSE, [](ThreadState &thread) {
     thread.makeCurrent({});
     thread.api = EGL_OPENGL_ES_API;

@@ -16,11 +16,13 @@ EGLint goneError(const Surface &surface) {
   return surface.kind() == EGL_PIXMAP_BIT ? EGL_BAD_NATIVE_PIXMAP : EGL_BAD_NATIVE_WINDOW;
 }
 
-// Everything current on the thread is finished.
+// Everything current on the thread is finished. What moved in a picture that was swapped is gone: without it there is
+// no picture to make unless the program goes on.
 EGLBoolean finishCurrent() {
   return enterUnlocked<EGLBoolean>(EGL_FALSE, [](ThreadState &thread) {
     const Current &current = thread.current;
-    if (current.context) current.context->api.finish();
+    if (current.context && current.context->api.pending()) current.context->api.finish();
+    if (current.context) current.context->api.await();
     require(!current.draw || !current.draw->gone(), EGL_BAD_CURRENT_SURFACE);
     return EGL_TRUE;
   });
@@ -48,7 +50,7 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
   });
   if (!valid) return EGL_FALSE;
   return enterUnlocked<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
-    require(swapBuffers(*thread.current.context, *surface), goneError(*surface));
+    require(swapBuffers(*thread.current.context, surface), goneError(*surface));
     return EGL_TRUE;
   });
 }
@@ -86,7 +88,7 @@ EGLBoolean eglWaitClient(void) { return finishCurrent(); }
 
 EGLBoolean eglWaitGL(void) { return finishCurrent(); }
 
-// The window system shows what it was given before the swap returned.
+// The window system shows what it was given before the program waited for it with eglWaitClient.
 EGLBoolean eglWaitNative(EGLint engine) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
     require(engine == EGL_CORE_NATIVE_ENGINE, EGL_BAD_PARAMETER);

@@ -34,11 +34,7 @@ EGLSync createSync(EGLDisplay dpy, EGLenum type, Attributes list, EGLint error) 
   const Current &current = threadState().current;
   require(current.context && current.display == &display, EGL_BAD_MATCH);
   auto sync = std::make_shared<Sync>(current.context);
-  if (current.context->api.pending()) {
-    current.context->fences.add(sync);
-  } else {
-    sync->signal();
-  }
+  current.context->fences.add(sync, current.context->api.pending());
   return display.syncs.add(std::move(sync));
 }
 
@@ -80,7 +76,7 @@ EGLint eglClientWaitSync(EGLDisplay dpy, EGLSync handle, EGLint flags, EGLTime t
     const bool own = thread.current.context && sync->context() == thread.current.context;
     if (own && !sync->signaled() && (flags != 0 || timeout != 0)) {
       thread.current.context->api.finish();
-      thread.current.context->fences.pass();
+      thread.current.context->fences.passAll();
     }
     return sync->wait(timeout) ? EGL_CONDITION_SATISFIED : EGL_TIMEOUT_EXPIRED;
   });

@@ -51,7 +51,7 @@ std::shared_ptr<ddk::Texture> textureOf(RenderContext &context, EGLClientBuffer 
   const bool isName = name != 0 && name <= UINT32_MAX;
   auto texture = isName ? context.api.objects().textures.find(static_cast<RCuint>(name)) : nullptr;
   require(texture && texture->loaded(), EGL_BAD_PARAMETER);
-  require(level >= 0 && size_t(level) < texture->image.levels.size(), EGL_BAD_MATCH);
+  require(level >= 0 && size_t(level) < texture->image->levels.size(), EGL_BAD_MATCH);
   return texture;
 }
 

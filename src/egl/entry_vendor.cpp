@@ -30,6 +30,7 @@ extern "C" {
 // The file may be slow, or a pipe that nobody reads: it is written without the lock.
 void eglDumpSystemRC(EGLDisplay dpy, const char *fileName) {
   std::string report;
+  if (const auto &context = threadState().current.context) context->api.await();
   const EGLBoolean valid = enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
     report = reportOf(initializedDisplay(dpy), thread.current.context.get());
     require(fileName != nullptr, EGL_BAD_PARAMETER);

@@ -31,8 +31,8 @@ struct Geometry {
 };
 
 std::optional<Geometry> geometryOf(const X11Connection &connection, ::Drawable drawable) {
-  if (!connection.alive()) return std::nullopt;
   const ErrorTrap trap(connection);
+  if (!connection.alive()) return std::nullopt;
   ::Window root;
   int x, y;
   unsigned width = 0, height = 0, border, depth = 0;
@@ -74,14 +74,13 @@ class OwnWindow final : public X11Drawable {
   OwnWindow(const Connection &connection, ::Window window, const XWindowAttributes &attributes, Atom deleteWindow)
       : X11Drawable(connection, window, masksOf(attributes), attributes.depth), mDeleteWindow(deleteWindow) {}
   ~OwnWindow() override {
-    if (!mConnection->alive()) return;
     const ErrorTrap trap(*mConnection);
-    XDestroyWindow(mConnection->display(), mDrawable);
+    if (mConnection->alive()) XDestroyWindow(mConnection->display(), mDrawable);
   }
 
   bool closeRequested() override {
-    if (!mConnection->alive()) return false;
     const ErrorTrap trap(*mConnection);
+    if (!mConnection->alive()) return false;
     XEvent event;
     bool close = false;
     while (XCheckTypedWindowEvent(mConnection->display(), mDrawable, KeyPress, &event)) {
@@ -150,6 +149,7 @@ class X11Platform final : public Platform {
  private:
   ::Window mapWindow(Size size, Atom &deleteWindow) const {
     const ErrorTrap trap(*mConnection);
+    if (!mConnection->alive()) return None;
     ::Display *display = mConnection->display();
     const ::Window window =
         XCreateSimpleWindow(display, mConnection->root(), 0, 0, unsigned(size.width), unsigned(size.height), 0, 0, 0);
@@ -166,8 +166,8 @@ class X11Platform final : public Platform {
     return window;
   }
   bool attributesOf(::Window window, XWindowAttributes &attributes) const {
-    if (!mConnection->alive()) return false;
     const ErrorTrap trap(*mConnection);
+    if (!mConnection->alive()) return false;
     return XGetWindowAttributes(mConnection->display(), window, &attributes) != 0;
   }
   bool isWindow(::Drawable drawable) const {

@@ -47,16 +47,22 @@ hal::Target Surface::picture() {
   return {mPixels.data(), size.width, size.height};
 }
 
+void Surface::asked() {
+  if (fences) fences->ask();
+}
+
 void Surface::traced() {
   if (mConfig.red == 5) {
     for (uint32_t &pixel : mPixels) pixel = roundTo565(pixel);
   }
-  if (showsAtOnce()) present();
+  if (showsAtOnce()) {
+    mSwapped = true;
+    present();
+  }
   if (fences) fences->pass();
 }
 
 bool Surface::present() {
-  mSwapped = true;
   if (!mDrawable) return true;
   if (!mGone && mDrawable->present(picture())) return true;
   mGone = true;

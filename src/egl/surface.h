@@ -44,11 +44,14 @@ class Surface final : public api::DrawSurface, public Handled {
 
   hal::Target backBuffer() override;
   int samples() const override { return std::max(mConfig.samples, 1); }
+  void asked() override;
   void traced() override;
 
   // What was traced last, at the size it was traced for.
   hal::Target picture();
-  // Shows it; false if the window is gone.
+  // It is about to be shown.
+  void noteSwapped() { mSwapped = true; }
+  // Shows it, on any thread; false if the window is gone.
   bool present();
   bool closeRequested() { return mDrawable && !mGone && mDrawable->closeRequested(); }
 

@@ -5,23 +5,25 @@
 #include <atomic>
 #include <cstdlib>
 
-#include "base/stopwatch.h"
 #include "egl/capture.h"
 
 namespace rc::egl {
 
-bool swapBuffers(RenderContext &context, Surface &surface) {
+bool swapBuffers(RenderContext &context, const std::shared_ptr<Surface> &surface) {
   static std::atomic<int> swaps = 0;
-  context.api.finish();
   const int frame = ++swaps;
   const Settings &settings = rc::settings();
-  if (!settings.capture.empty()) writePicture(captureName(settings.capture, frame), surface.picture());
-  const Stopwatch watch;
-  const bool shown = surface.present();
-  context.api.notePresented(watch.milliseconds());
-  context.api.endFrame();
-  if (frame == settings.frames || surface.closeRequested()) std::exit(EXIT_SUCCESS);
-  return shown;
+  if (!settings.capture.empty()) {
+    context.api.finish();
+    writePicture(captureName(settings.capture, frame), surface->picture());
+  }
+  context.api.finishAndShow([surface] { surface->present(); });
+  surface->noteSwapped();
+  if (frame == settings.frames || surface->closeRequested()) {
+    context.api.await();
+    std::exit(EXIT_SUCCESS);
+  }
+  return !surface->gone();
 }
 
 }  // namespace rc::egl

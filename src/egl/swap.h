@@ -8,8 +8,9 @@
 
 namespace rc::egl {
 
-// False if the window is gone. May end the process: at the count of RAYCORE_FRAMES, or when the user closes a
+// False if the window is gone, as far as it is known: the picture may be traced and shown while the program goes on.
+// May end the process: at the count of RAYCORE_FRAMES, or when the user closes a
 // window that the library made.
-bool swapBuffers(RenderContext &context, Surface &surface);
+bool swapBuffers(RenderContext &context, const std::shared_ptr<Surface> &surface);
 
 }  // namespace rc::egl

@@ -33,9 +33,32 @@ bool Sync::wait(EGLTime timeout) const {
   return true;
 }
 
-void Fences::pass() {
-  for (const std::shared_ptr<Sync> &sync : mWaiting) sync->signal();
+void Fences::add(const std::shared_ptr<Sync> &sync, bool asks) {
+  const std::lock_guard lock(mMutex);
+  if (asks || mTracing) {
+    (asks ? mWaiting : mAsked).push_back(sync);
+  } else {
+    sync->signal();
+  }
+}
+
+void Fences::ask() {
+  const std::lock_guard lock(mMutex);
+  mAsked.insert(mAsked.end(), mWaiting.begin(), mWaiting.end());
   mWaiting.clear();
+  mTracing = true;
+}
+
+void Fences::pass() {
+  const std::lock_guard lock(mMutex);
+  for (const std::shared_ptr<Sync> &sync : mAsked) sync->signal();
+  mAsked.clear();
+  mTracing = false;
+}
+
+void Fences::passAll() {
+  ask();
+  pass();
 }
 
 }  // namespace rc::egl

@@ -34,16 +34,21 @@ class Sync : public Handled {
   bool mSignaled = false;
 };
 
-// The fences in a context's stream of commands that are not passed yet. They belong to the thread on which the
-// context is current.
+// The fences in a context's stream of commands that are not passed yet. Pictures are made on any thread.
 class Fences {
  public:
-  void add(std::shared_ptr<Sync> sync) { mWaiting.push_back(std::move(sync)); }
-  // All that was asked for is done.
+  // A fence behind all that was drawn so far; asks: that is not traced yet, nor about to be.
+  void add(const std::shared_ptr<Sync> &sync, bool asks);
+  // A picture of all that was asked for so far is about to be traced; it is done.
+  void ask();
   void pass();
+  // All that was asked for is done, or nobody waits for it.
+  void passAll();
 
  private:
-  std::vector<std::shared_ptr<Sync>> mWaiting;
+  std::mutex mMutex;
+  std::vector<std::shared_ptr<Sync>> mWaiting, mAsked;
+  bool mTracing = false;  // from ask() to pass()
 };
 
 }  // namespace rc::egl

@@ -33,19 +33,18 @@ bool TextureBinding::bind(api::Context &context, Surface &surface) {
   const bool withAlpha = surface.attributes.textureFormat == EGL_TEXTURE_RGBA;
   const hal::Target picture = surface.picture();
   // A pbuffer may be 0 pixels high: the texture then has no image.
-  ddk::Image image;
+  std::shared_ptr<ddk::Image> image;
   if (picture.width > 0 && picture.height > 0) {
     image = ddk::makeImage(texelsOf(picture, withAlpha, context.state.texture.alpha), picture.width, picture.height,
                            surface.attributes.mipmapTexture != EGL_FALSE);
   }
   const auto lent = std::make_shared<const Loan>(Loan{texture, context.shared()});
-  image.loan = lent;
 
   const std::lock_guard own(mMutex);
   if (!mLoan.expired()) return false;
   mLoan = lent;
-  texture->image = std::move(image);
-  texture->format = withAlpha ? RC_RGBA : RC_RGB;
+  texture->load(std::move(image), withAlpha ? RC_RGBA : RC_RGB);
+  texture->loan = lent;
   context.touch();
   return true;
 }
@@ -61,8 +60,8 @@ void TextureBinding::release() {
   const auto texture = lent ? lent->texture.lock() : nullptr;
   if (!objects || !texture) return;
   const std::lock_guard lock(objects->mutex);
-  if (texture->image.loan != lent) return;
-  texture->image = {};
+  if (texture->loan != lent) return;
+  texture->load(nullptr, texture->format);
   ++objects->changes;
 }
 

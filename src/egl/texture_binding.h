@@ -24,7 +24,7 @@ class TextureBinding {
   void release();
 
  private:
-  // What the texture's image holds, and nothing else for long: it ends when the texture is loaded anew or deleted.
+  // What the texture holds, and nothing else for long: it ends when the texture is loaded anew or deleted.
   struct Loan {
     std::weak_ptr<ddk::Texture> texture;
     std::weak_ptr<api::SharedObjects> objects;  // where it lives

@@ -11,7 +11,7 @@ namespace {
 void leave(const Current &old, const Current &next) {
   if (!old.context) return;
   if (old.context != next.context) old.context->api.attach(nullptr);
-  old.context->fences.pass();  // nobody waits for a picture that is not asked for any more
+  old.context->fences.passAll();  // nobody waits for a picture that is not asked for any more
   old.context->current = false;
   if (!old.draw) return;
   old.draw->fences = nullptr;
@@ -38,8 +38,13 @@ void release(const Current &old) {
 }  // namespace
 
 ThreadState::~ThreadState() {
+  awaitPicture();
   const std::lock_guard lock(displayMutex());
   makeCurrent({});
+}
+
+void ThreadState::awaitPicture() const {
+  if (current.context) current.context->api.awaitPicture();
 }
 
 void ThreadState::makeCurrent(Current next) {

@@ -23,6 +23,8 @@ struct ThreadState {
   Current current;
 
   ~ThreadState();
+  // Waits for the picture of the current context that is on its way: not under the display lock.
+  void awaitPicture() const;
   // What was current is let go. Throws without memory, and what was current still is.
   void makeCurrent(Current next);
 };

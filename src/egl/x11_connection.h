@@ -47,7 +47,8 @@ class X11Connection {
 };
 
 // While it lives, X errors of one connection, and its loss, are noted instead of ending the program. Those of other
-// connections go to the program's handlers. One at a time in the process; all that asks the server is done under one.
+// connections go to the program's handlers. One at a time in the process; all that asks the server is done under one,
+// after a look whether the connection is alive: the thread that found it broken keeps Xlib's lock on it for ever.
 class ErrorTrap {
  public:
   explicit ErrorTrap(const X11Connection &connection);

@@ -29,8 +29,12 @@ X11Image::X11Image(const X11Connection &connection, const ColourMasks &masks, in
 X11Image::~X11Image() {
   release();
   if (!mGc) return;
-  const ErrorTrap trap(mConnection);  // the server may be gone; our side of it is freed all the same
-  XFreeGC(mDisplay, mGc);
+  const ErrorTrap trap(mConnection);
+  if (mConnection.alive()) {
+    XFreeGC(mDisplay, mGc);
+  } else {
+    XFree(mGc);  // our side of it
+  }
 }
 
 bool X11Image::put(::Drawable drawable, const hal::Target &picture) {
@@ -38,6 +42,7 @@ bool X11Image::put(::Drawable drawable, const hal::Target &picture) {
   if (!mConnection.alive() || !resize(picture.width, picture.height)) return false;
   mFormat.store(picture, *mImage);
   const ErrorTrap trap(mConnection);
+  if (!mConnection.alive()) return false;
   if (!mGc) mGc = XCreateGC(mDisplay, drawable, 0, nullptr);
   const auto width = unsigned(picture.width), height = unsigned(picture.height);
   if (mShared) {
@@ -74,7 +79,7 @@ bool X11Image::makeShared(int width, int height) {
   if (memory != reinterpret_cast<void *>(-1)) {
     shared->info.shmaddr = mImage->data = static_cast<char *>(memory);
     const ErrorTrap trap(mConnection);
-    attached = XShmAttach(mDisplay, &shared->info) && !trap.failed();
+    attached = mConnection.alive() && XShmAttach(mDisplay, &shared->info) && !trap.failed();
   }
   // Marked for removal at once: it lives until both sides have let go, even if the program crashes.
   if (shared->info.shmid >= 0) shmctl(shared->info.shmid, IPC_RMID, nullptr);
@@ -92,9 +97,9 @@ bool X11Image::makeShared(int width, int height) {
 void X11Image::release() {
   if (!mImage) return;
   if (mShared) {
-    if (mConnection.alive()) {
+    {
       const ErrorTrap trap(mConnection);
-      XShmDetach(mDisplay, &mShared->info);
+      if (mConnection.alive()) XShmDetach(mDisplay, &mShared->info);
     }
     shmdt(mShared->info.shmaddr);
     mImage->data = nullptr;

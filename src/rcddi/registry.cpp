@@ -12,7 +12,7 @@ namespace {
 
 struct Row {
   std::string_view name;
-  std::unique_ptr<Device> (*create)(int threads);
+  std::unique_ptr<Device> (*create)(const Workers &workers);
 };
 
 constexpr Row kDevices[] = {
@@ -20,9 +20,9 @@ constexpr Row kDevices[] = {
 
 }  // namespace
 
-std::unique_ptr<Device> createDevice(std::string_view name, int threads) {
+std::unique_ptr<Device> createDevice(std::string_view name, const Workers &workers) {
   for (const Row &row : kDevices) {
-    if (row.name == name) return row.create(threads);
+    if (row.name == name) return row.create(workers);
   }
   return nullptr;
 }

@@ -56,7 +56,6 @@ struct GeometrySet {
   Rows<hal::HotTriangle> triangles;
   Rows<hal::TriangleAttributes> attributes;
   Array<Material> captured;  // of draws without a material object
-  Accel accel;
   SkippedTriangles skipped;
   bool filtersShadow = false;
 

@@ -9,8 +9,7 @@
 namespace rc::ddk {
 namespace {
 
-// Empties the set but keeps its memory: the next frame will be about as large. The structure stays too: the next
-// frame's triangles may be the same ones, moved.
+// Empties the set but keeps its memory: the next frame will be about as large.
 void recycle(GeometrySet &set) {
   set.triangles.clear();
   set.attributes.clear();
@@ -22,20 +21,21 @@ void recycle(GeometrySet &set) {
 }  // namespace
 
 void Scene::clear() {
-  mStatics = {};
+  abandonStatic();
   mDynamics = {};
-  mInStaticScene = mDynamicsTraced = false;
+  mDynamicAccel = {};
+  mDynamicsTraced = false;
 }
 
 void Scene::beginStatic() {
-  mStatics = {};
+  abandonStatic();
   mInStaticScene = true;
 }
 
 void Scene::endStatic(AccelKind kind, const Workers &workers) {
   const Stopwatch building;
   try {
-    mStatics.accel = buildAccel(kind, mStatics.triangles, workers);
+    mStaticAccel = buildAccel(kind, mStatics.triangles, workers);
   } catch (...) {  // out of memory: better no static scene than one without a structure
     abandonStatic();
     throw;
@@ -46,30 +46,35 @@ void Scene::endStatic(AccelKind kind, const Workers &workers) {
 
 void Scene::abandonStatic() {
   mStatics = {};
+  mStaticAccel = {};
   mInStaticScene = false;
 }
 
 GeometrySet &Scene::target() {
   if (mInStaticScene) return mStatics;
-  if (mDynamicsTraced) recycle(mDynamics);
-  mDynamicsTraced = false;
-  return mDynamics;
+  if (mDynamicsTraced) startNextFrame();
+  return mDynamics[mMaking];
 }
 
-void Scene::buildDynamic(AccelKind kind, const Workers &workers) {
-  const bool sameKind = mDynamics.accel.kind == kind;
-  if (!mDynamicsTraced && !(sameKind && refit(mDynamics.triangles, workers, mDynamics.accel))) {
-    Accel old = std::exchange(mDynamics.accel, {});  // what is left without memory must not look like a tree
-    mDynamics.accel = buildAccel(kind, mDynamics.triangles, workers, Lifetime::Frame, std::move(old));
-  }
-  mDynamicsTraced = true;
+bool Scene::beginFrame() { return !std::exchange(mDynamicsTraced, true); }
+
+// The structure of the frame before is where this one's begins: the triangles may be the same ones, moved.
+void Scene::buildDynamic(const GeometrySet &dynamics, AccelKind kind, const Workers &workers) {
+  if (mDynamicAccel.kind == kind && refit(dynamics.triangles, workers, mDynamicAccel)) return;
+  Accel old = std::exchange(mDynamicAccel, {});  // what is left without memory must not look like a tree
+  mDynamicAccel = buildAccel(kind, dynamics.triangles, workers, Lifetime::Frame, std::move(old));
 }
 
 bool Scene::endFrame() {
-  const bool had = mDynamicsTraced && !mDynamics.empty();
-  if (mDynamicsTraced) recycle(mDynamics);
-  mDynamicsTraced = false;
+  const bool had = mDynamicsTraced && !dynamics().empty();
+  if (mDynamicsTraced) startNextFrame();
   return had;
+}
+
+void Scene::startNextFrame() {
+  if (mLent) mMaking = 1 - mMaking;
+  recycle(mDynamics[mMaking]);
+  mDynamicsTraced = false;
 }
 
 }  // namespace rc::ddk

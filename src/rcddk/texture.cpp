@@ -80,28 +80,37 @@ Texels readTexels(const PixelSource &source, int width, int height, uint8_t alph
   return texels;
 }
 
-Image makeImage(Texels base, int width, int height, bool mipmaps) {
-  Image image{{}, width, height, nullptr};
-  image.levels.push_back(std::move(base));
-  if (mipmaps) makeMipLevels(image);
+std::shared_ptr<Image> makeImage(Texels base, int width, int height, bool mipmaps) {
+  const auto image = std::make_shared<Image>();
+  image->width = width;
+  image->height = height;
+  image->levels.push_back(std::move(base));
+  if (mipmaps) makeMipLevels(*image);
   return image;
 }
 
-void replacePart(Image &image, const hal::PixelRect &part, std::span<const uint32_t> texels) {
+void Texture::load(std::shared_ptr<Image> newImage, RCenum newFormat) {
+  image = std::move(newImage);
+  format = newFormat;
+  loan = nullptr;
+}
+
+void Texture::replacePart(const hal::PixelRect &part, std::span<const uint32_t> texels) {
+  if (image.use_count() > 1) image = std::make_shared<Image>(*image);
   for (int y = 0; y < part.rows; ++y) {
     const auto row = texels.subspan(size_t(y) * size_t(part.columns), size_t(part.columns));
     std::copy(row.begin(), row.end(),
-              image.levels[0].begin() + (std::ptrdiff_t{part.row} + y) * image.width + part.column);
+              image->levels[0].begin() + (std::ptrdiff_t{part.row} + y) * image->width + part.column);
   }
-  if (image.levels.size() > 1) makeMipLevels(image);
+  if (image->levels.size() > 1) makeMipLevels(*image);
 }
 
 hal::TextureView Texture::view() const {
   hal::TextureView view;
-  for (size_t i = 0; i < image.levels.size(); ++i) view.levels[i] = image.levels[i].data();
-  view.width = image.width;
-  view.height = image.height;
-  view.levelCount = static_cast<int>(image.levels.size());
+  for (size_t i = 0; i < image->levels.size(); ++i) view.levels[i] = image->levels[i].data();
+  view.width = image->width;
+  view.height = image->height;
+  view.levelCount = static_cast<int>(image->levels.size());
   view.trilinear = minFilter == RC_LINEAR_MIPMAP_LINEAR;
   view.hasAlpha = format != RC_RGB;
   view.opaqueAlpha = static_cast<float>(opaqueAlpha);

@@ -21,9 +21,8 @@ enum class PixelLayout { Rgb8, Rgba8, Rgb565, Rgba4444, Rgba5551 };
 using Texels = Array<uint32_t>;
 
 struct Image {
-  std::vector<Texels> levels;        // RGBA8, R in the low byte; level 0 first, rows from v = 0
-  int width = 0, height = 0;         // of level 0; 0 where nothing was loaded
-  std::shared_ptr<const void> loan;  // held by an image that somebody lent; let go when it is replaced
+  std::vector<Texels> levels;  // level 0 first, rows from v = 0
+  int width = 0, height = 0;   // of level 0
 };
 
 // Texels in client memory, the lowest row first; a row begins at a multiple of `alignment` bytes from the first one.
@@ -37,19 +36,22 @@ struct PixelSource {
 Texels readTexels(const PixelSource &source, int width, int height, uint8_t alpha);
 
 // base: width * height texels. width, height: powers of two.
-Image makeImage(Texels base, int width, int height, bool mipmaps);
-
-// Replaces a rectangle of level 0 by its texels, and the mip levels, if there are some, by new ones.
-void replacePart(Image &image, const hal::PixelRect &part, std::span<const uint32_t> texels);
+std::shared_ptr<Image> makeImage(Texels base, int width, int height, bool mipmaps);
 
 struct Texture {
-  Image image;
+  std::shared_ptr<Image> image;      // null where nothing was loaded; a frame on its way may share it
+  std::shared_ptr<const void> loan;  // held for an image that somebody lent; let go when it is replaced
   RCenum wrapS = RC_REPEAT, wrapT = RC_REPEAT;
   RCenum minFilter = RC_NEAREST_MIPMAP_LINEAR, magFilter = RC_LINEAR;  // GL's initial values
   int opaqueAlpha = 16;
   RCenum format = 0;  // RC_RGB or RC_RGBA, as loaded
 
-  bool loaded() const { return image.width > 0 && image.height > 0; }
+  bool loaded() const { return image != nullptr; }
+  void load(std::shared_ptr<Image> newImage, RCenum newFormat);
+  // Replaces a rectangle of level 0 by its texels, and the mip levels, if there are some, by new ones; in a copy of the
+  // image if a frame is on its way that shows it.
+  void replacePart(const hal::PixelRect &part, std::span<const uint32_t> texels);
+  // Of a texture that is loaded.
   hal::TextureView view() const;
 };
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/parallel.h"
 #include "rchal/scene_view.h"
 
 namespace rc::hal {
@@ -91,7 +92,11 @@ class Device {
   virtual void intersect(const SceneView &scene, std::span<const Ray> rays, std::span<Hit> hits) = 0;
 };
 
-// "cpu", "ref" or "null"; null pointer for other names. threads: 0 = as many as the machine has.
-std::unique_ptr<Device> createDevice(std::string_view name, int threads);
+// "cpu", "ref" or "null"; null pointer for other names. A device that traces on processors uses these threads.
+std::unique_ptr<Device> createDevice(std::string_view name, const Workers &workers);
+// threads: 0 = as many as the machine has.
+inline std::unique_ptr<Device> createDevice(std::string_view name, int threads) {
+  return createDevice(name, Workers(threads));
+}
 
 }  // namespace rc::hal

@@ -90,12 +90,12 @@ TEST_F(CompressedTextureTest, EveryTexelOfEveryFormat) {
   for (const Format &format : kFormats) {
     load(format, 32, 16, 0, encode(format, 32, 16, 1));
     ASSERT_EQ(rcGetError(), RCenum(RC_NO_ERROR)) << format.token;
-    ASSERT_EQ(texture().image.width, 32);
-    ASSERT_EQ(texture().image.height, 16);
-    ASSERT_EQ(texture().image.levels.size(), 6u);
+    ASSERT_EQ(texture().image->width, 32);
+    ASSERT_EQ(texture().image->height, 16);
+    ASSERT_EQ(texture().image->levels.size(), 6u);
     for (int y = 0; y < 16; ++y) {
       for (int x = 0; x < 32; ++x) {
-        const uint32_t texel = texture().image.levels[0][size_t(y * 32 + x)];
+        const uint32_t texel = texture().image->levels[0][size_t(y * 32 + x)];
         for (size_t i = 0; i < 4; ++i) {
           ASSERT_NEAR(texel >> 8 * i & 255, expected(format, indexAt(format, x, y), i), 1)
               << format.token << " at " << x << ' ' << y << " channel " << i;
@@ -111,8 +111,8 @@ TEST_F(CompressedTextureTest, FurtherLevelsAreMadeAnew) {
       load(format, 16, 16, -further, encode(format, 16, 16, 1 + further));
       EXPECT_EQ(rcGetError(), RCenum(RC_NO_ERROR)) << format.token << ' ' << further;
       double mean = 0;
-      for (uint32_t texel : texture().image.levels[0]) mean += double(texel & 255) / 256;
-      EXPECT_NEAR(texture().image.levels.at(4).at(0) & 255, mean, 3) << "not what came along";
+      for (uint32_t texel : texture().image->levels[0]) mean += double(texel & 255) / 256;
+      EXPECT_NEAR(texture().image->levels.at(4).at(0) & 255, mean, 3) << "not what came along";
     }
   }
 }
@@ -130,14 +130,14 @@ TEST_F(CompressedTextureTest, AreShownAndCanBeChangedInPart) {
   const RCubyte one[] = {1, 2, 3, 4};
   rcTexSubImage2D(RC_TEXTURE_2D, 0, 0, 0, 1, 1, RC_RGB, RC_UNSIGNED_BYTE, one);
   EXPECT_CLEAN();
-  EXPECT_EQ(texture().image.levels[0][0] & 0xffffff, 0x030201u);
+  EXPECT_EQ(texture().image->levels[0][0] & 0xffffff, 0x030201u);
 }
 
 TEST_F(CompressedTextureTest, NullDataLoadsNothing) {
   loadSolid({1, 2, 3});
   rcCompressedTexImage2D(RC_TEXTURE_2D, 0, RC_PALETTE8_RGBA8_OES, 16, 16, 0, 256 * 4 + 256, nullptr);
   EXPECT_CLEAN();
-  EXPECT_EQ(texture().image.levels[0][0] & 0xffffff, 0x030201u);
+  EXPECT_EQ(texture().image->levels[0][0] & 0xffffff, 0x030201u);
 }
 
 TEST_F(CompressedTextureTest, Errors) {

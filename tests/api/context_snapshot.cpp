@@ -91,8 +91,10 @@ class Snapshot {
   }
   // Of large images the first texels of each level.
   void addTexture(const ddk::Texture &texture) {
-    addAll(std::array{texture.image.width, texture.image.height, int(texture.format)});
-    for (const auto &level : texture.image.levels) {
+    add(int(texture.format));
+    if (!texture.loaded()) return;
+    addAll(std::array{texture.image->width, texture.image->height});
+    for (const auto &level : texture.image->levels) {
       addSum(level.data(), std::min<size_t>(level.size(), 1024) * sizeof(uint32_t));
     }
   }

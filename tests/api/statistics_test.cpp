@@ -104,11 +104,11 @@ TEST_F(StatisticsTest, TheHintCountsForWhatMovesToo) {
   pixelCamera();
   drawSteps(100);
   rcFinish();
-  EXPECT_EQ(context->scene.dynamics().accel.kind, AccelKind::Bvh) << "the default";
+  EXPECT_EQ(context->scene.dynamicAccel().kind, AccelKind::Bvh) << "the default";
   rcHint(RC_STRUCTURE_HINT, RC_STRUCTURE_KD_TREE);
   drawSteps(100);  // as many: a BVH would be fitted to them
   rcFinish();
-  EXPECT_EQ(context->scene.dynamics().accel.kind, AccelKind::KdTree);
+  EXPECT_EQ(context->scene.dynamicAccel().kind, AccelKind::KdTree);
   EXPECT_RAISES(RC_INVALID_ENUM, rcHint(RC_STRUCTURE_HINT, RC_NICEST));
   EXPECT_RAISES(RC_INVALID_ENUM, rcHint(RC_STRUCTURE_HINT, RC_STRUCTURE_NONE + 1));
   EXPECT_RAISES(RC_INVALID_ENUM, rcHint(RC_MIPMAP_HINT, RC_STRUCTURE_BVH));

@@ -19,7 +19,7 @@ class TextureCopyTest : public ContextTest {
     drawQuad({20.5f, -10, 80, 60});
   }
   uint32_t texel(int x, int y) const {
-    const ddk::Image &image = context->state.texture.bound[ddk::kColourMap].texture->image;
+    const ddk::Image &image = *context->state.texture.bound[ddk::kColourMap].texture->image;
     return image.levels.at(0).at(size_t(y) * size_t(image.width) + size_t(x));
   }
 };

@@ -11,7 +11,7 @@ class TexturePartTest : public ContextTest {
  protected:
   static constexpr RCenum kByte = RC_UNSIGNED_BYTE;
 
-  const ddk::Image &image() const { return context->state.texture.bound[ddk::kColourMap].texture->image; }
+  const ddk::Image &image() const { return *context->state.texture.bound[ddk::kColourMap].texture->image; }
   uint32_t texel(int x, int y, size_t level = 0) const {
     return image().levels.at(level).at(size_t(y) * size_t(image().width >> level) + size_t(x));
   }

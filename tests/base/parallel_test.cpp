@@ -38,6 +38,50 @@ TEST(Workers, ExceptionsComeBack) {
                std::runtime_error);
 }
 
+TEST(Background, TheJobIsDoneBesideWhatFollows) {
+  const Workers workers(2);
+  Background background(workers);
+  ASSERT_TRUE(background.possible());
+  for (int round = 0; round < 20; ++round) {
+    std::atomic<bool> goOn = false;
+    int sum = 0;
+    background.begin([&] {
+      goOn.wait(false);
+      workers.forEach(100, [&](size_t i, int) { std::atomic_ref(sum) += int(i); });
+    });
+    // Work of the same threads does not wait for the job.
+    std::atomic<int> count = 0;
+    workers.forEach(50, [&](size_t, int) { ++count; });
+    EXPECT_EQ(count, 50);
+    goOn = true;
+    goOn.notify_all();
+    background.wait();
+    EXPECT_EQ(sum, 4950);
+    background.wait();
+  }
+}
+
+TEST(Background, ExceptionsComeBack) {
+  const Workers workers(2);
+  Background background(workers);
+  background.begin([] { throw std::runtime_error("no"); });
+  EXPECT_THROW(background.wait(), std::runtime_error);
+  int done = 0;
+  background.begin([&] { ++done; });
+  background.wait();
+  EXPECT_EQ(done, 1);
+}
+
+TEST(Background, OneThreadDoesItWhenItWaits) {
+  const Workers workers(1);
+  Background background(workers);
+  EXPECT_FALSE(background.possible());
+  int done = 0;
+  background.begin([&] { ++done; });
+  background.wait();
+  EXPECT_EQ(done, 1);
+}
+
 TEST(Both, RunsBoth) {
   int a = 0, b = 0;
   Workers(2).run([&] { both([&] { a = 1; }, [&] { b = 2; }); });

@@ -30,10 +30,10 @@ TEST(Settings, Defaults) {
 }
 
 TEST(Settings, EveryVariable) {
-  sVariables = {{"RAYCORE_DEVICE", "ref"},           {"RAYCORE_THREADS", "3"},        {"RAYCORE_ACCEL", "bvh"},
-                {"RAYCORE_PROFILE", "1000"},         {"RAYCORE_SAMPLES", "4"},        {"RAYCORE_FRAMES", "7"},
-                {"RAYCORE_CAPTURE", "a.png"},        {"RAYCORE_LOG", "frame"},        {"RAYCORE_TEST", "1"},
-                {"RAYCORE_INSTRUCTION_SET", "avx2"}, {"RAYCORE_MEMORY_LIMIT", "512M"}};
+  sVariables = {{"RAYCORE_DEVICE", "ref"},           {"RAYCORE_THREADS", "3"},         {"RAYCORE_ACCEL", "bvh"},
+                {"RAYCORE_PROFILE", "1000"},         {"RAYCORE_SAMPLES", "4"},         {"RAYCORE_FRAMES", "7"},
+                {"RAYCORE_CAPTURE", "a.png"},        {"RAYCORE_LOG", "frame"},         {"RAYCORE_TEST", "1"},
+                {"RAYCORE_INSTRUCTION_SET", "avx2"}, {"RAYCORE_MEMORY_LIMIT", "512M"}, {"RAYCORE_PIPELINE", "0"}};
   std::string report;
   const Settings s = read(report);
   EXPECT_EQ(report, "");
@@ -48,6 +48,7 @@ TEST(Settings, EveryVariable) {
   EXPECT_TRUE(s.test);
   EXPECT_EQ(s.instructionSet, "avx2");
   EXPECT_EQ(s.memoryLimit, uint64_t(512) << 20);
+  EXPECT_FALSE(s.pipeline);
 }
 
 TEST(Settings, NonsenseIsReportedAndIgnored) {
@@ -60,6 +61,7 @@ TEST(Settings, NonsenseIsReportedAndIgnored) {
                                                                       {"RAYCORE_LOG", "loud"},
                                                                       {"RAYCORE_INSTRUCTION_SET", "avx9"},
                                                                       {"RAYCORE_MEMORY_LIMIT", "plenty"},
+                                                                      {"RAYCORE_PIPELINE", "maybe"},
                                                                       {"RAYCORE_TEST", "yes"}}) {
     sVariables = {{name, value}};
     std::string report;

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "egl/thread.h"
+
 namespace rc::test {
 
 inline void *const kNothing = reinterpret_cast<void *>(0x7fffffff);  // no handle is so large
@@ -59,6 +61,12 @@ class Egl : public testing::Test {
     EGLint value = untouched;
     EXPECT_TRUE(eglQuerySurface(mDisplay, surface, name, &value)) << name;
     return value;
+  }
+  // The picture is the surface's when it returns. eglWaitClient would trace the next one, in which nothing moves.
+  EGLBoolean swapAndWait(EGLSurface surface) {
+    const EGLBoolean swapped = eglSwapBuffers(mDisplay, surface);
+    egl::threadState().awaitPicture();
+    return swapped;
   }
   void expectError(EGLint error) { EXPECT_EQ(eglGetError(), error); }
 

@@ -17,7 +17,10 @@ using Colour = std::array<int, 3>;
 class Textures : public Egl {
  protected:
   // What the library keeps of a surface. Rows from the top.
-  hal::Target pictureOf(EGLSurface surface) { return egl::findDisplay(mDisplay)->surfaces.find(surface)->picture(); }
+  hal::Target pictureOf(EGLSurface surface) {
+    egl::threadState().awaitPicture();
+    return egl::findDisplay(mDisplay)->surfaces.find(surface)->picture();
+  }
   Colour pixel(EGLSurface surface, int x, int y) {
     const hal::Target picture = pictureOf(surface);
     const uint32_t rgba = picture.pixels[y * picture.width + x];
@@ -113,7 +116,7 @@ TEST_F(Textures, ReleasingLeavesAnImageOfTheProgramAlone) {
     }
     EXPECT_TRUE(eglReleaseTexImage(mDisplay, source, EGL_BACK_BUFFER));
     ASSERT_TRUE(texture->loaded()) << "after " << round + 1 << " loads";
-    EXPECT_EQ(texture->image.levels[0][0] & 255, 100u);
+    EXPECT_EQ(texture->image->levels[0][0] & 255, 100u);
   }
   ASSERT_TRUE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER));
   EXPECT_TRUE(eglReleaseTexImage(mDisplay, source, EGL_BACK_BUFFER));
@@ -136,8 +139,8 @@ TEST_F(Textures, MipLevelsAndAlpha) {
   rcBindTexture(RC_TEXTURE_2D, 5);
   ASSERT_TRUE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER));
   const auto &image = api::currentContext()->objects().textures.find(5)->image;
-  EXPECT_EQ(image.levels.size(), 5u);
-  EXPECT_EQ(image.levels[0][0] >> 24, 255u) << "the surface's alpha, not rcTextureAlpha's";
+  EXPECT_EQ(image->levels.size(), 5u);
+  EXPECT_EQ(image->levels[0][0] >> 24, 255u) << "the surface's alpha, not rcTextureAlpha's";
 }
 
 TEST_F(Textures, NothingIsBoundWithoutAContext) {

@@ -60,7 +60,12 @@ class Client {
     return eglCreatePbufferSurface(display, config, list);
   }
   bool makeCurrent(EGLSurface draw) const { return eglMakeCurrent(display, draw, draw, context) == EGL_TRUE; }
-  bool swap(EGLSurface draw) const { return eglSwapBuffers(display, draw) == EGL_TRUE; }
+  // The window shows the picture when it returns.
+  bool swap(EGLSurface draw) const {
+    const EGLBoolean swapped = eglSwapBuffers(display, draw);
+    egl::threadState().awaitPicture();
+    return swapped == EGL_TRUE;
+  }
 
   EGLDisplay display;
   EGLConfig config = nullptr;

@@ -19,7 +19,7 @@ constexpr size_t kBatch = size_t(kTileSize) * kTileSize;
 
 class CpuDevice final : public Device {
  public:
-  explicit CpuDevice(int threads) : mWorkers(threads) {
+  explicit CpuDevice(const Workers &workers) : mWorkers(workers) {
     for (int i = 0; i < mWorkers.threads(); ++i) mTracers.emplace_back(kBatch);
   }
 
@@ -66,6 +66,6 @@ class CpuDevice final : public Device {
 
 }  // namespace
 
-std::unique_ptr<Device> createDevice(int threads) { return std::make_unique<CpuDevice>(threads); }
+std::unique_ptr<Device> createDevice(const Workers &workers) { return std::make_unique<CpuDevice>(workers); }
 
 }  // namespace rc::ddi::cpu

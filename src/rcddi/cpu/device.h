@@ -8,6 +8,6 @@
 
 namespace rc::ddi::cpu {
 
-std::unique_ptr<hal::Device> createDevice(int threads);
+std::unique_ptr<hal::Device> createDevice(const Workers &workers);
 
 }  // namespace rc::ddi::cpu

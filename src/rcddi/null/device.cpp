@@ -27,6 +27,6 @@ class NullDevice final : public Device {
 
 }  // namespace
 
-std::unique_ptr<Device> createDevice(int) { return std::make_unique<NullDevice>(); }
+std::unique_ptr<Device> createDevice(const Workers &) { return std::make_unique<NullDevice>(); }
 
 }  // namespace rc::ddi::null

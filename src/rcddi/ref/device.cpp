@@ -44,6 +44,6 @@ class RefDevice final : public Device {
 
 }  // namespace
 
-std::unique_ptr<Device> createDevice(int) { return std::make_unique<RefDevice>(); }
+std::unique_ptr<Device> createDevice(const Workers &) { return std::make_unique<RefDevice>(); }
 
 }  // namespace rc::ddi::ref

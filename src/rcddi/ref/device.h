@@ -8,6 +8,6 @@
 
 namespace rc::ddi::ref {
 
-std::unique_ptr<hal::Device> createDevice(int threads);
+std::unique_ptr<hal::Device> createDevice(const Workers &workers);
 
 }  // namespace rc::ddi::ref

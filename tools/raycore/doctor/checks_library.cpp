@@ -28,10 +28,10 @@ namespace {
 constexpr int kSide = 32;
 
 // docs/environment.md; the last one is of the test programs.
-constexpr std::array kVariables{"RAYCORE_DEVICE",       "RAYCORE_THREADS", "RAYCORE_ACCEL",   "RAYCORE_INSTRUCTION_SET",
-                                "RAYCORE_MEMORY_LIMIT", "RAYCORE_PROFILE", "RAYCORE_SAMPLES", "RAYCORE_FRAMES",
-                                "RAYCORE_CAPTURE",      "RAYCORE_LOG",     "RAYCORE_TRACE",   "RAYCORE_TEST",
-                                "RAYCORE_TEST_RAYS"};
+constexpr std::array kVariables{
+    "RAYCORE_DEVICE",  "RAYCORE_THREADS", "RAYCORE_ACCEL",    "RAYCORE_INSTRUCTION_SET", "RAYCORE_MEMORY_LIMIT",
+    "RAYCORE_PROFILE", "RAYCORE_SAMPLES", "RAYCORE_PIPELINE", "RAYCORE_FRAMES",          "RAYCORE_CAPTURE",
+    "RAYCORE_LOG",     "RAYCORE_TRACE",   "RAYCORE_TEST",     "RAYCORE_TEST_RAYS"};
 
 // What is written to stderr while it lives.
 class CaughtErrors {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The raycore authors
+#include "rcddk/frame.h"
+
+#include "rcddk/brightness.h"
+
+namespace rc::ddk {
+
+Frame::Frame(const FrameState &state, Scene &scene)
+    : mScene(scene), mDynamics(scene.dynamics()), mAccelKind(state.accelKind) {
+  rowsOf(state.materials, state.colourShadow, mNamed);
+  rowsOf(scene.statics().captured, state.colourShadow, mStaticCaptured);
+  rowsOf(mDynamics.captured, state.colourShadow, mDynamicCaptured);
+  collectLights(state);
+
+  mView.materials = mNamed;
+  mView.textures = mTextures;
+  mView.lights = mLights;
+  mView.camera = state.camera;
+  mView.clearColor = state.clearColor;
+  mView.maxBounces = state.maxBounces;
+  mView.samples = state.samples;
+  mView.adaptive = state.adaptive;
+  mView.measure = state.measure;
+  mView.minWeight = state.minWeight;
+  mView.globalAmbient = state.globalAmbient;
+  mView.fog = state.fog;
+  mView.scissor = state.scissor;
+  mView.writeMask = state.writeMask;
+  mView.shadows = state.shadows;
+  mView.mipmaps = state.mipmaps;
+}
+
+const hal::SceneView &Frame::view() {
+  const auto viewOf = [](const GeometrySet &set, const Accel &accel, std::span<const hal::MaterialRow> captured) {
+    return hal::GeometryView{set.triangles, set.attributes, captured, accel.view(), set.filtersShadow};
+  };
+  mView.geometry = {viewOf(mScene.statics(), mScene.staticAccel(), mStaticCaptured),
+                    viewOf(mDynamics, mScene.dynamicAccel(), mDynamicCaptured)};
+  // Half a step of a byte.
+  mView.ignorable = 0.5f / 256 / brightest(mView);
+  return mView;
+}
+
+void Frame::rowsOf(std::span<const Material> materials, bool colourShadow, Array<hal::MaterialRow> &rows) {
+  rows.reserve(materials.size());
+  for (const Material &material : materials) {
+    rows.push_back(materialRow(material, colourShadow));
+    rows.back().texture = textureIndex(material.visibleTexture(kColourMap));
+    rows.back().normalMap = textureIndex(material.visibleTexture(kNormalMap));
+  }
+}
+
+int32_t Frame::textureIndex(const Texture *texture) {
+  if (!texture) return hal::kNoTexture;
+  const auto [place, isNew] = mIndices.try_emplace(texture, static_cast<int32_t>(mTextures.size()));
+  if (isNew) {
+    mTextures.push_back(texture->view());
+    mImages.push_back(texture->image);
+  }
+  return place->second;
+}
+
+void Frame::collectLights(const FrameState &state) {
+  for (const Light &light : state.lights) {
+    if (state.lighting && light.enabled) mLights.push_back(lightRow(light));
+  }
+  mDefaultLight = mLights.empty();
+  if (mDefaultLight) mLights.push_back(defaultLightRow(state.defaultLight));
+}
+
+}  // namespace rc::ddk
