@@ -85,8 +85,8 @@ void measure(const FrameScene &scene, int width, int height, int threads, const 
   results.push_back(named(summary(ours), scene, size, "raycore", threads));
   if (!scene.moving.empty()) {
     std::printf("%-13s of which submitting %.2f ms\n", "", medianOf(submits));
-    results.push_back(named(summary(finished), scene, size, "film, finished", threads));
-    results.push_back(named(summary(swapped), scene, size, "film, swapped", threads));
+    named(summary(finished), scene, "film", "finished, swapped", threads);
+    named(summary(swapped), scene, "film", "swapped alone", threads);
   }
   const bool measured = !theirs.empty() && medianOf(theirs) > 0;
   if (measured) results.push_back(named(summary(theirs), scene, size, "embree whitted", threads));

@@ -27,17 +27,21 @@ void flushDenormals() {
 
 constexpr size_t kChunk = 1024;
 
+// One thread's share of the rays. A function by itself, so that scripts/instructions.sh can count what it does.
+[[gnu::noinline]] void traceShare(const Tracer &tracer, Kind kind, const RayBatch &rays, std::atomic<size_t> &next,
+                                  FirstHit *hits) {
+  flushDenormals();
+  for (size_t begin; (begin = next.fetch_add(kChunk)) < rays.size();) {
+    tracer.trace(kind, rays, begin, std::min(begin + kChunk, rays.size()), hits);
+  }
+}
+
 double megaraysPerSecond(const Tracer &tracer, Kind kind, const RayBatch &rays, const Arguments &arguments, int threads,
                          FirstHit *hits) {
   std::atomic<size_t> next{0};
   std::atomic<int> ready{0};
   std::atomic<bool> go{false};
-  const auto work = [&] {
-    flushDenormals();
-    for (size_t begin; (begin = next.fetch_add(kChunk)) < rays.size();) {
-      tracer.trace(kind, rays, begin, std::min(begin + kChunk, rays.size()), hits);
-    }
-  };
+  const auto work = [&] { traceShare(tracer, kind, rays, next, hits); };
   std::vector<std::thread> helpers;
   for (int i = 1; i < threads; ++i) {
     helpers.emplace_back([&] {

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // raycore.cpp: ourselves as one of those who are measured, below the API: the kernels of the cpu device.
+#include "base/instruction_set.h"
+#include "base/settings.h"
 #include "peers/tracer.h"
 #include "rcddi/cpu/trace.h"
 #include "rcddk/accel/builder.h"
@@ -105,6 +107,7 @@ class RaycoreRefit final : public RaycoreBuilder {
 }  // namespace
 
 void addRaycore(const Soup &soup, int threads, const std::vector<std::string> &who, Tracers &tracers) {
+  limitInstructionSet(settings().instructionSet);
   const auto add = [&](AccelKind kind, ddk::Lifetime lifetime, const char *name) {
     if (!isWanted(name, who)) return;
     tracers.push_back(std::make_unique<RaycoreTracer>(soup, kind, lifetime, name, threads));

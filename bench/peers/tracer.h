@@ -37,10 +37,11 @@ class Builder {
 using Tracers = std::vector<std::unique_ptr<Tracer>>;
 using Builders = std::vector<std::unique_ptr<Builder>>;
 
-// Whether a name contains one of the parts, or there are none.
+// Whether a name contains one of the parts, or is one behind a "=", or there are none.
 inline bool isWanted(const std::string &name, const std::vector<std::string> &parts) {
-  return parts.empty() || std::any_of(parts.begin(), parts.end(),
-                                      [&](const std::string &part) { return name.find(part) != std::string::npos; });
+  return parts.empty() || std::any_of(parts.begin(), parts.end(), [&](const std::string &part) {
+           return name.find(part) != std::string::npos || "=" + name == part;
+         });
 }
 
 // All that a peer offers for a scene, of which are wanted; the soup must outlive them.

@@ -18,24 +18,28 @@ const std::map<std::string, GroundKind> kGrounds{{"none", GroundKind::None},
                                                  {"mirror", GroundKind::Mirror},
                                                  {"checker", GroundKind::Checker}};
 
-std::string numbersOf(const std::string &text, char between, int count, float *values) {
+bool readNumbers(const std::string &text, char between, int count, float *values) {
   const char *at = text.c_str();
   for (int i = 0; i < count; ++i) {
     char *end = nullptr;
     values[i] = std::strtof(at, &end);
     const bool last = i + 1 == count;
-    if (end == at || !std::isfinite(values[i]) || *end != (last ? '\0' : between))
-      return "\"" + text + "\" is not understood";
+    if (end == at || !std::isfinite(values[i]) || *end != (last ? '\0' : between)) return false;
     at = end + 1;
   }
-  return {};
+  return true;
+}
+
+// The word of an option is not what it should be.
+[[noreturn]] void refuse(const char *option, const std::string &word, const char *rule) {
+  throw CLI::ValidationError(option, "\"" + word + "\" is not " + rule);
 }
 
 // "x,y,z"
-CLI::callback_t point(std::optional<Vec3> &to) {
-  return [&to](const CLI::results_t &words) {
+CLI::callback_t point(const char *option, std::optional<Vec3> &to) {
+  return [option, &to](const CLI::results_t &words) {
     Vec3 v;
-    if (!numbersOf(words[0], ',', 3, &v.x).empty()) return false;
+    if (!readNumbers(words[0], ',', 3, &v.x)) refuse(option, words[0], "three numbers, such as 0,1.5,4");
     to = v;
     return true;
   };
@@ -44,18 +48,20 @@ CLI::callback_t point(std::optional<Vec3> &to) {
 CLI::callback_t size(ShowSettings &to) {
   return [&to](const CLI::results_t &words) {
     float v[2];
-    if (!numbersOf(words[0], 'x', 2, v).empty()) return false;
     const auto fits = [](float side) { return side >= 1 && side <= 16384 && side == std::floor(side); };
+    if (!readNumbers(words[0], 'x', 2, v) || !fits(v[0]) || !fits(v[1])) {
+      refuse("--size", words[0], "two whole numbers from 1 to 16384, such as 800x480");
+    }
     to.width = static_cast<int>(v[0]);
     to.height = static_cast<int>(v[1]);
-    return fits(v[0]) && fits(v[1]);
+    return true;
   };
 }
 
-CLI::callback_t angle(std::optional<Angle> &to) {
-  return [&to](const CLI::results_t &words) {
+CLI::callback_t angle(const char *option, std::optional<Angle> &to) {
+  return [option, &to](const CLI::results_t &words) {
     float v[2];
-    if (!numbersOf(words[0], ',', 2, v).empty()) return false;
+    if (!readNumbers(words[0], ',', 2, v)) refuse(option, words[0], "two numbers of degrees, such as 30,20");
     to = Angle{v[0], v[1]};
     return true;
   };
@@ -90,9 +96,10 @@ void addShowOptions(CLI::App &command, ShowSettings &settings) {
   addPictureSize(command, settings);
   command.add_option("--camera", settings.camera, "Camera of the file, number or name; else the whole model is framed")
       ->group("Picture");
-  add("--eye", point(settings.eye), "X,Y,Z", "Where the viewer is");
-  add("--look-at", point(settings.lookAt), "X,Y,Z", "What the viewer looks at [the model's middle]");
-  add("--angle", angle(settings.angle), "AZ,EL", "Degrees round the model and above it, for the framing camera");
+  add("--eye", point("--eye", settings.eye), "X,Y,Z", "Where the viewer is");
+  add("--look-at", point("--look-at", settings.lookAt), "X,Y,Z", "What the viewer looks at [the model's middle]");
+  add("--angle", angle("--angle", settings.angle), "AZ,EL",
+      "Degrees round the model and above it, for the framing camera");
   command.add_option("--fov", settings.fov, "Vertical angle in degrees")
       ->check(CLI::Range(1.0, 170.0))
       ->group("Picture")
