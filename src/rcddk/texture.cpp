@@ -81,7 +81,7 @@ Texels readTexels(const PixelSource &source, int width, int height, uint8_t alph
 }
 
 std::shared_ptr<Image> makeImage(Texels base, int width, int height, bool mipmaps) {
-  const auto image = std::make_shared<Image>();
+  auto image = std::make_shared<Image>();
   image->width = width;
   image->height = height;
   image->levels.push_back(std::move(base));
