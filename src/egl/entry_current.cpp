@@ -46,8 +46,9 @@ bool isCurrent(const Current &current, EGLSurface draw, EGLSurface read, EGLCont
 extern "C" {
 
 EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext context) {
-  if (!isCurrent(threadState().current, draw, read, context)) threadState().awaitPicture();
-  return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
+  return enterUnlocked<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
+    if (!isCurrent(thread.current, draw, read, context)) thread.awaitPicture();
+    const std::lock_guard lock(displayMutex());
     if (draw == EGL_NO_SURFACE && read == EGL_NO_SURFACE && context == EGL_NO_CONTEXT) {
       displayOf(dpy);  // may be terminated already
       thread.makeCurrent({});
@@ -75,8 +76,9 @@ EGLSurface eglGetCurrentSurface(EGLint readdraw) {
 }
 
 EGLBoolean eglReleaseThread(void) {
-  threadState().awaitPicture();
-  return enter<EGLBoolean>(EGL_FALSE, [](ThreadState &thread) {
+  return enterUnlocked<EGLBoolean>(EGL_FALSE, [](ThreadState &thread) {
+    thread.awaitPicture();
+    const std::lock_guard lock(displayMutex());
     thread.makeCurrent({});
     thread.api = EGL_OPENGL_ES_API;
     return EGL_TRUE;

@@ -30,8 +30,9 @@ extern "C" {
 // The file may be slow, or a pipe that nobody reads: it is written without the lock.
 void eglDumpSystemRC(EGLDisplay dpy, const char *fileName) {
   std::string report;
-  if (const auto &context = threadState().current.context) context->api.await();
-  const EGLBoolean valid = enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
+  const EGLBoolean valid = enterUnlocked<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
+    if (thread.current.context) thread.current.context->api.await();
+    const std::lock_guard lock(displayMutex());
     report = reportOf(initializedDisplay(dpy), thread.current.context.get());
     require(fileName != nullptr, EGL_BAD_PARAMETER);
     return EGL_TRUE;
