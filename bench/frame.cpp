@@ -71,14 +71,14 @@ void measure(const FrameScene &scene, int width, int height, int threads, const 
       ours.push_back(times.whole());
       submits.push_back(times.submit);
     }
+    if (round == 0) {
+      std::printf("%-13s %-10s %.0f rays a frame\n", scene.name.c_str(), size.c_str(), stage.rays());
+      if (!arguments.pictures.empty()) stage.save(arguments.pictures + "/" + scene.name + ".ppm");
+    }
     if (!scene.moving.empty()) {
       finished.push_back(stage.film(frame, kFrames, true));
       swapped.push_back(stage.film(frame, kFrames, false));
       frame += kFrames;
-    }
-    if (round == 0) {
-      std::printf("%-13s %-10s %.0f rays a frame\n", scene.name.c_str(), size.c_str(), stage.rays());
-      if (!arguments.pictures.empty()) stage.save(arguments.pictures + "/" + scene.name + ".ppm");
     }
     if (!arguments.peer.empty()) theirs.push_back(peerMilliseconds(arguments, scene, soups, threads, size));
   }

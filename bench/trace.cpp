@@ -27,7 +27,7 @@ void flushDenormals() {
 
 constexpr size_t kChunk = 1024;
 
-// One thread's share of the rays. A function by itself, so that scripts/instructions.sh can count what it does.
+// One thread's share of the rays. A function by itself, so that scripts/instructions.py can count what it does.
 [[gnu::noinline]] void traceShare(const Tracer &tracer, Kind kind, const RayBatch &rays, std::atomic<size_t> &next,
                                   FirstHit *hits) {
   flushDenormals();
