@@ -54,25 +54,26 @@ AccelKind Context::accelKind() const { return structureOf(state.hints.structure)
 
 ddk::FrameState Context::frameState() const {
   ddk::FrameState frame;
-  frame.camera = state.view.camera.view(state.view.width, state.view.height, mProfile.centredFrustum);
-  frame.clearColor = Rgb(state.view.clearColor);
   frame.materials = mObjects->materials.rows();
   frame.lights = state.light.lights;
   frame.lighting = state.light.lighting;
   frame.defaultLight = mProfile.defaultLightAtEye ? state.view.camera.eye : Vec3(0, 0, 1);
-  frame.shadows = state.shadow.shadow;
   frame.colourShadow = state.shadow.colour;
-  frame.mipmaps = state.hints.mipmap != RC_NICEST;
-  frame.maxBounces = state.depthBounce;
-  frame.samples = samples();
-  frame.measure = mMeasuresUnits || logEnabled(LogLevel::Frame) || tracing();
-  frame.adaptive = state.hints.rendering == RC_FASTEST_AND_NICEST;
-  frame.minWeight = minWeightOf(state.hints.rayBounceThreshold);
-  if (state.light.lighting) frame.globalAmbient = Rgb(state.light.modelAmbient);
-  frame.fog = fogOf(state.fog);
-  frame.scissor = scissorOf(state.picture);
-  frame.writeMask = writeMaskOf(state.picture);
   frame.accelKind = accelKind();
+  hal::SceneView &view = frame.view;
+  view.camera = state.view.camera.view(state.view.width, state.view.height, mProfile.centredFrustum);
+  view.clearColor = Rgb(state.view.clearColor);
+  view.shadows = state.shadow.shadow;
+  view.mipmaps = state.hints.mipmap != RC_NICEST;
+  view.maxBounces = state.depthBounce;
+  view.samples = samples();
+  view.measure = mMeasuresUnits || logEnabled(LogLevel::Frame) || tracing();
+  view.adaptive = state.hints.rendering == RC_FASTEST_AND_NICEST;
+  view.minWeight = minWeightOf(state.hints.rayBounceThreshold);
+  if (state.light.lighting) view.globalAmbient = Rgb(state.light.modelAmbient);
+  view.fog = fogOf(state.fog);
+  view.scissor = scissorOf(state.picture);
+  view.writeMask = writeMaskOf(state.picture);
   return frame;
 }
 

@@ -146,8 +146,7 @@ void Workers::run(const std::function<void()> &body) const {
 // The job is done under a lock, so that fork() waits for it. In the child of a fork that came before the job began,
 // nobody is left to begin it but the thread that waits.
 struct Background::Impl {
-  explicit Impl(std::shared_ptr<Workers::Impl> threads)
-      : workers(std::move(threads)), arena(*workers->arena), possible(workers->count > 1) {}
+  explicit Impl(std::shared_ptr<Workers::Impl> threads) : workers(std::move(threads)) {}
 
   void perform() {
     const std::lock_guard lock(mutex);
@@ -158,8 +157,6 @@ struct Background::Impl {
   }
 
   std::shared_ptr<Workers::Impl> workers;
-  tbb::task_arena &arena;
-  bool possible;
   ForkMutex mutex;
   std::function<void()> job;
   tbb::task_group group;
@@ -180,14 +177,15 @@ Background::~Background() {
 // The program may have told oneTBB to use no threads.
 bool Background::possible() const {
   using Control = tbb::global_control;
-  return mImpl->possible && Control::active_value(Control::max_allowed_parallelism) > 1 && !threadsLostInFork();
+  return mImpl->workers->count > 1 && Control::active_value(Control::max_allowed_parallelism) > 1 &&
+         !threadsLostInFork();
 }
 
 void Background::begin(std::function<void()> job) {
   Impl &impl = *mImpl;
   impl.job = std::move(job);
   impl.handover.give();
-  impl.arena.execute([&] {
+  impl.workers->arena->execute([&] {
     impl.group.run([&] {
       impl.handover.take();
       impl.perform();
@@ -201,7 +199,7 @@ void Background::wait() {
   Impl &impl = *mImpl;
   if (!std::exchange(impl.begun, false)) return;
   if (threadsLostInFork()) return impl.perform();
-  impl.arena.execute([&] { impl.group.wait(); });
+  impl.workers->arena->execute([&] { impl.group.wait(); });
   impl.handover.await();
 }
 

@@ -7,7 +7,7 @@
 namespace rc::ddk {
 
 Frame::Frame(const FrameState &state, Scene &scene)
-    : mScene(scene), mDynamics(scene.dynamics()), mAccelKind(state.accelKind) {
+    : mScene(scene), mDynamics(scene.dynamics()), mAccelKind(state.accelKind), mView(state.view) {
   rowsOf(state.materials, state.colourShadow, mNamed);
   rowsOf(scene.statics().captured, state.colourShadow, mStaticCaptured);
   rowsOf(mDynamics.captured, state.colourShadow, mDynamicCaptured);
@@ -16,19 +16,6 @@ Frame::Frame(const FrameState &state, Scene &scene)
   mView.materials = mNamed;
   mView.textures = mTextures;
   mView.lights = mLights;
-  mView.camera = state.camera;
-  mView.clearColor = state.clearColor;
-  mView.maxBounces = state.maxBounces;
-  mView.samples = state.samples;
-  mView.adaptive = state.adaptive;
-  mView.measure = state.measure;
-  mView.minWeight = state.minWeight;
-  mView.globalAmbient = state.globalAmbient;
-  mView.fog = state.fog;
-  mView.scissor = state.scissor;
-  mView.writeMask = state.writeMask;
-  mView.shadows = state.shadows;
-  mView.mipmaps = state.mipmaps;
 }
 
 const hal::SceneView &Frame::view() {

@@ -16,23 +16,12 @@ namespace rc::ddk {
 
 // What of the state a frame depends on, besides the scene.
 struct FrameState {
-  hal::CameraView camera;
-  Rgb clearColor{0};
+  hal::SceneView view;                  // without geometry, tables, and what follows from them
   std::span<const Material> materials;  // by name
   std::span<const Light> lights;
   bool lighting = false;
   Vec3 defaultLight{0};  // where the light is that shines when no other does
-  bool shadows = true, colourShadow = true;
-  bool mipmaps = true;
-  int maxBounces = 10;
-  int samples = 1;
-  bool adaptive = false;
-  bool measure = false;  // where the time goes
-  float minWeight = 0;
-  Rgb globalAmbient{0};
-  hal::Fog fog;
-  std::optional<hal::PixelRect> scissor;
-  uint32_t writeMask = ~0u;
+  bool colourShadow = true;
   AccelKind accelKind = AccelKind::Bvh;
 };
 
@@ -59,6 +48,7 @@ class Frame {
   Scene &mScene;
   const GeometrySet &mDynamics;
   AccelKind mAccelKind;
+  hal::SceneView mView;
   // The tables that the view points into.
   Array<hal::MaterialRow> mNamed, mStaticCaptured, mDynamicCaptured;
   Array<hal::TextureView> mTextures;
@@ -66,7 +56,6 @@ class Frame {
   std::vector<std::shared_ptr<const Image>> mImages;  // whose texels they show
   std::vector<hal::LightRow> mLights;
   bool mDefaultLight = false;
-  hal::SceneView mView;
 };
 
 }  // namespace rc::ddk

@@ -19,6 +19,13 @@ namespace rc::test {
 
 inline void *const kNothing = reinterpret_cast<void *>(0x7fffffff);  // no handle is so large
 
+// The picture is the surface's, and its window shows it, when it returns.
+inline bool swapAndWait(EGLDisplay display, EGLSurface surface) {
+  const EGLBoolean swapped = eglSwapBuffers(display, surface);
+  egl::threadState().awaitPicture();
+  return swapped == EGL_TRUE;
+}
+
 class Egl : public testing::Test {
  protected:
   void SetUp() override {
@@ -61,12 +68,6 @@ class Egl : public testing::Test {
     EGLint value = untouched;
     EXPECT_TRUE(eglQuerySurface(mDisplay, surface, name, &value)) << name;
     return value;
-  }
-  // The picture is the surface's when it returns. eglWaitClient would trace the next one, in which nothing moves.
-  EGLBoolean swapAndWait(EGLSurface surface) {
-    const EGLBoolean swapped = eglSwapBuffers(mDisplay, surface);
-    egl::threadState().awaitPicture();
-    return swapped;
   }
   void expectError(EGLint error) { EXPECT_EQ(eglGetError(), error); }
 

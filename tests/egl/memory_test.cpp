@@ -46,7 +46,7 @@ TEST_F(Memory, WhatWasCurrentStaysCurrent) {
     EXPECT_EQ(eglGetCurrentSurface(EGL_READ), before);
     EXPECT_EQ(api::currentContext(), current);
     rcClearColor(1, 0, 0, 1);
-    EXPECT_TRUE(swapAndWait(before));
+    EXPECT_TRUE(swapAndWait(mDisplay, before));
   };
   EXPECT_GT(starve([&] { return eglMakeCurrent(mDisplay, after, after, second) == EGL_TRUE; }, unchanged), 0);
   EXPECT_EQ(eglGetCurrentContext(), second);

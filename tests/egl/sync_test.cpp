@@ -43,7 +43,7 @@ TEST_F(Syncs, AFenceIsPassedWhenThePictureIsTraced) {
   rcClearColor(1, 0, 0, 1);
   const EGLSync next = fence();
   EXPECT_FALSE(passed(next));
-  EXPECT_TRUE(swapAndWait(mSurface));
+  EXPECT_TRUE(swapAndWait(mDisplay, mSurface));
   EXPECT_TRUE(passed(next));
   EXPECT_TRUE(eglDestroySync(mDisplay, sync));
   EXPECT_FALSE(eglDestroySync(mDisplay, sync));

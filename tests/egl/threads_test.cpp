@@ -30,7 +30,7 @@ class Threads : public Egl {
     rcEnableClientState(RC_VERTEX_ARRAY);
     rcVertexPointer(3, RC_FLOAT, 0, vertices);
     rcDrawArrays(RC_TRIANGLES, 0, 3);
-    ASSERT_TRUE(swapAndWait(surface));
+    ASSERT_TRUE(swapAndWait(mDisplay, surface));
     const hal::Target picture = egl::threadState().current.draw->picture();
     EXPECT_EQ(picture.pixels[picture.width - 1], 0xff000000u | uint32_t(level) << 16);
     EXPECT_EQ(picture.pixels[picture.width * (picture.height - 5) + 4], 0xffffffffu);

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "RC/rcu.h"
-#include "egl/thread.h"
+#include "egl/egl_fixture.h"
 #include "window/x11_fixture.h"
 
 // After what Xlib's macros would be in the way of.
@@ -60,12 +60,7 @@ class Client {
     return eglCreatePbufferSurface(display, config, list);
   }
   bool makeCurrent(EGLSurface draw) const { return eglMakeCurrent(display, draw, draw, context) == EGL_TRUE; }
-  // The window shows the picture when it returns.
-  bool swap(EGLSurface draw) const {
-    const EGLBoolean swapped = eglSwapBuffers(display, draw);
-    egl::threadState().awaitPicture();
-    return swapped == EGL_TRUE;
-  }
+  bool swap(EGLSurface draw) const { return swapAndWait(display, draw); }
 
   EGLDisplay display;
   EGLConfig config = nullptr;
