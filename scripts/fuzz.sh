@@ -31,9 +31,7 @@ mkdir -p "$build/broken"
 export DISPLAY='' RAYCORE_THREADS=1 RAYCORE_LOG=off
 export ASAN_OPTIONS=allocator_may_return_null=1:detect_stack_use_after_return=0 UBSAN_OPTIONS=print_stacktrace=1
 
-# Every token of the API as an input has it: two bytes, the low one first.
-sed -nE 's/^RC_TOKEN\((RC_[A-Za-z0-9_]+), 0x(0000)?(..)(..)\).*/\1="\\x\4\\x\3"/p' tests/headers/token_values.inc \
-  >"$build/fuzz_api.dict"
+bash tests/fuzz/api_dictionary.sh >"$build/fuzz_api.dict"
 cp tests/fuzz/gltf.dict "$build/fuzz_scene.dict"
 
 # Models by the byte that names their reader, see fuzz_scene.cpp.
@@ -59,16 +57,23 @@ for target in "${targets[@]}"; do
     continue
   fi
   [ "$target" != fuzz_scene ] || seed_models "$found"
-  options=(-max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 -print_final_stats=1
+  options=(-max_total_time=0 -timeout=60 -rss_limit_mb=4096 -print_final_stats=1
     -artifact_prefix="$build/broken/$target-")
   [ ! -f "$build/$target.dict" ] || options+=(-dict="$build/$target.dict")
   # What the libraries that read pictures leave behind when they give one up is gone with the loader's process.
   leaks=1
   [ "$target" != fuzz_scene ] || leaks=0
-  echo "== $target"
-  ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=$leaks nice -n 19 "$build/tests/fuzz/$target" "${options[@]}" "$found" "$corpora/$target" 2>"$build/$target.log" || {
-    tail -n 60 "$build/$target.log"
-    exit 1
-  }
-  grep -E '^(Done|stat::)' "$build/$target.log"
+  # Half of the time calls are traced, which reads all their arguments once more.
+  traces=('')
+  [ "$target" != fuzz_api ] || traces=('' /dev/null)
+  for trace in "${traces[@]}"; do
+    echo "== $target ${trace:+traced}"
+    options[0]=-max_total_time=$((seconds / ${#traces[@]}))
+    RAYCORE_TRACE=$trace ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=$leaks nice -n 19 "$build/tests/fuzz/$target" \
+      "${options[@]}" "$found" "$corpora/$target" 2>"$build/$target.log" || {
+      tail -n 60 "$build/$target.log"
+      exit 1
+    }
+    grep -E '^(Done|stat::)' "$build/$target.log"
+  done
 done

@@ -5,12 +5,13 @@
 
   instructions.py [--bench build/release/bench/trace] [--scenes DIR] [--size 800x480] scene...
 
-Valgrind 3.19 knows no AVX-512: both sides use AVX2. The caches are simulated: the machine's first level, and its last.
+Valgrind 3.19 knows no AVX-512: both sides use AVX2 (and valgrind_libraries.py mends what else it does not know). The caches are simulated: the machine's first level, and its last.
 Prints a Markdown table. Embree is built at its highest quality; the better of its two ways is shown.
 """
 
 import argparse
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -27,7 +28,8 @@ def counts(arguments, scene, kind, who):
         command = ["valgrind", "--tool=callgrind", "--cache-sim=yes", "--toggle-collect=*traceShare*",
                    f"--callgrind-out-file={out.name}", arguments.bench, "--scenes", arguments.scenes, "--only", scene,
                    "--size", arguments.size, "--rounds", "1", "--threads", "1", "--kind", kind, "--who", who]
-        run = subprocess.run(command, env={**os.environ, "RAYCORE_INSTRUCTION_SET": "avx2"}, capture_output=True, text=True)
+        environment = {**os.environ, "RAYCORE_INSTRUCTION_SET": "avx2", "LD_LIBRARY_PATH": arguments.libraries}
+        run = subprocess.run(command, env=environment, capture_output=True, text=True)
         found = re.search(r"of (\d+) rays", run.stdout)
         if run.returncode != 0 or not found:
             sys.exit(f"{' '.join(command)}\n{run.stdout}{run.stderr[-2000:]}")
@@ -68,6 +70,9 @@ def main():
     parser.add_argument("--size", default="800x480")
     parser.add_argument("scene", nargs="+")
     arguments = parser.parse_args()
+    helper = [pathlib.Path(__file__).with_name("valgrind_libraries.py"), arguments.bench,
+              pathlib.Path(arguments.bench).parent / "valgrind"]
+    arguments.libraries = subprocess.run(helper, capture_output=True, text=True, check=True).stdout.strip()
     print("| scene | rays | instructions | Embree | ratio | reads | Embree | misses of the first level | Embree |")
     print("|---|---|---:|---:|---:|---:|---:|---:|---:|")
     for scene in arguments.scene:

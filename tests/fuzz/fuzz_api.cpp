@@ -22,14 +22,18 @@ void call(Steps &steps) {
   function.call({steps.world, steps.in, function.name});
 }
 
-// What a program does first: a context and a surface, current on this thread.
+// What a program does first: a context and a surface, perhaps one to be used as a texture, current on this thread.
 void begin(Steps &steps) {
-  const EGLint size[] = {EGL_WIDTH, EGLint(12 + steps.in.below(16)), EGL_HEIGHT, 12, EGL_NONE};
-  const EGLDisplay display = steps.world.display(steps.in.byte());
+  constexpr uint8_t kForTexture = 0x80;
+  EGLint list[] = {EGL_WIDTH, EGLint(12 + steps.in.below(16)), EGL_HEIGHT,       12, EGL_TEXTURE_FORMAT, EGL_NO_TEXTURE,
+                   EGL_TEXTURE_TARGET, EGL_NO_TEXTURE, EGL_NONE};
+  const uint8_t choice = steps.in.byte();
+  if (choice & kForTexture) list[1] = list[3] = 16, list[5] = EGL_TEXTURE_RGB, list[7] = EGL_TEXTURE_2D;
+  const EGLDisplay display = steps.world.display(choice);
   const EGLConfig config = steps.world.config(steps.in.byte());
   eglInitialize(display, nullptr, nullptr);
   const EGLContext share = steps.in.flag() ? eglGetCurrentContext() : EGL_NO_CONTEXT;
-  const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
+  const EGLSurface surface = eglCreatePbufferSurface(display, config, list);
   const EGLContext context = eglCreateContext(display, config, share, nullptr);
   steps.world.note(surface);
   steps.world.note(context);
@@ -68,11 +72,34 @@ void loadTexture(Steps &steps) {
   rcTexImage2D(RC_TEXTURE_2D, 0, RCint(format), 16, 16, 0, format, RC_UNSIGNED_BYTE, texels);
 }
 
+// Everything that can be asked for by the tokens of a page, 256 in a row: what they are called, what it is said to be.
+void ask(Steps &steps) {
+  constexpr RCenum kExtensions = 0x52430000;
+  const uint8_t page = steps.in.byte(), way = steps.in.byte();
+  const RCenum first = page == 0 ? kExtensions : RCenum{page} << 8;
+  for (RCenum token = first; token < first + 256; ++token) {
+    RCfloat floats[64];
+    RCint integers[64];
+    RCfixed fixed[64];
+    RCboolean booleans[64];
+    if (way & 1) rcGetFloatv(token, floats);
+    if (way & 2) rcGetIntegerv(token, integers);
+    if (way & 4) rcGetFixedv(token, fixed);
+    if (way & 8) rcGetBooleanv(token, booleans);
+    if (way & 16) rcIsEnabled(token), rcGetString(token);
+    if (way & 32) rcGetTexParameteriv(RC_TEXTURE_2D, token, integers), rcGetTexEnvfv(RC_TEXTURE_ENV, token, floats);
+    if (way & 64) rcGetLightfv(RC_LIGHT0, token, floats), rcGetMaterialfv(RC_FRONT, token, floats);
+    if (way & 128) rcGetBufferParameteriv(RC_ARRAY_BUFFER, token, integers);
+  }
+}
+
 constexpr void (*kSteps[])(Steps &) = {begin, makeCurrent, swap, draw, loadTexture};
 constexpr uint8_t kFirstPrepared = 224;  // smaller codes are plain calls
+constexpr uint8_t kFirstQuestion = 250;
 
 void step(Steps &steps) {
   const uint8_t code = steps.in.byte();
+  if (code >= kFirstQuestion) return ask(steps);
   code < kFirstPrepared ? call(steps) : kSteps[code % std::size(kSteps)](steps);
 }
 

@@ -6,7 +6,7 @@
     RAYCORE_TRACE=calls.txt build/release/tests/api/api_test
     tests/fuzz/trace_to_seeds.py calls.txt FOLDER
 
-Draw calls and images, whose memory a trace does not show, become the target's own; what only asks is left out."""
+Draw calls and images, whose memory a trace does not show, become the target's own."""
 import pathlib
 import re
 import struct
@@ -67,7 +67,7 @@ def split(text):
 
 def call_in(line, kinds, names):
     found = re.match(r"frame \d+: (rc\w+)\((.*?)\)(?::|$| =)", line)
-    if not found or re.match(r"rc(Get|Is|Read|Debug)", found[1]):
+    if not found or re.match(r"rc(Read|Debug)", found[1]):
         return None
     name = found[1]
     if name in STEPS:
@@ -77,6 +77,8 @@ def call_in(line, kinds, names):
         kind, pointer = parameter.replace("const ", "").split(" ", 1)[0], "*" in parameter
         if not pointer:
             result += encoded(kind, number_in(value, names))
+        elif "const" not in parameter:
+            result += bytes([1]) + (b"" if kind == "RCvoid" else encoded(kind, 0))
         elif value.startswith("{"):
             values = [number_in(v, names) for v in value[1:-1].split(",") if v.strip()]
             result += bytes([len(values)]) + b"".join(encoded(kind, v) for v in values)
@@ -103,4 +105,5 @@ def main():
     print(f"{len(calls)} calls")
 
 
-main()
+if __name__ == "__main__":
+    main()
