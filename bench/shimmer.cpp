@@ -28,16 +28,23 @@ struct Way {
   RCenum mipmaps;  // RC_MIPMAP_HINT
   RCint minFilter;
   RCenum rendering;  // RC_RENDERING_HINT
+  RCint anisotropy = 1;
 
   bool several() const { return rendering == RC_NICEST || rendering == RC_FASTEST_AND_NICEST; }
 };
-constexpr Way kWays[] = {{"level 0, one sample", RC_NICEST, RC_LINEAR, RC_DONT_CARE},
-                         {"nearest level, one sample", RC_DONT_CARE, RC_LINEAR_MIPMAP_NEAREST, RC_DONT_CARE},
-                         {"between levels, one sample", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR, RC_DONT_CARE},
-                         {"level 0, four samples (NICEST)", RC_NICEST, RC_LINEAR, RC_NICEST},
-                         {"between levels, four samples at edges (FASTEST_AND_NICEST)", RC_DONT_CARE,
-                          RC_LINEAR_MIPMAP_LINEAR, RC_FASTEST_AND_NICEST},
-                         {"between levels, four samples (NICEST)", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR, RC_NICEST}};
+constexpr Way kWays[] = {
+    {"level 0, one sample", RC_NICEST, RC_LINEAR, RC_DONT_CARE},
+    {"nearest level, one sample", RC_DONT_CARE, RC_LINEAR_MIPMAP_NEAREST, RC_DONT_CARE},
+    {"between levels, one sample", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR, RC_DONT_CARE},
+    {"between levels, two side by side", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR, RC_DONT_CARE, 2},
+    {"between levels, four side by side", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR, RC_DONT_CARE, 4},
+    {"between levels, sixteen side by side", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR, RC_DONT_CARE, 16},
+    {"level 0, four samples (NICEST)", RC_NICEST, RC_LINEAR, RC_NICEST},
+    {"between levels, four samples at edges (FASTEST_AND_NICEST)", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR,
+     RC_FASTEST_AND_NICEST},
+    {"between levels, four samples (NICEST)", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR, RC_NICEST},
+    {"between levels, sixteen side by side, four samples (NICEST)", RC_DONT_CARE, RC_LINEAR_MIPMAP_LINEAR, RC_NICEST,
+     16}};
 
 // Triangles of 2 n^2.
 std::vector<float> unitBall(int n) {
@@ -62,6 +69,7 @@ class Floor {
   double draw(const Way &way) {
     rcBindMaterial(mChecker);
     rcTexParameteri(RC_TEXTURE_2D, RC_TEXTURE_MIN_FILTER, way.minFilter);
+    rcTexParameteri(RC_TEXTURE_2D, RC_TEXTURE_MAX_ANISOTROPY_EXT, way.anisotropy);
     rcHint(RC_MIPMAP_HINT, way.mipmaps);
     rcHint(RC_RENDERING_HINT, way.rendering);
     double best = 1e9;

@@ -105,7 +105,8 @@ RC_APICALL void RC_APIENTRY rcTexImage2D(RCenum target, RCint level, RCint inter
 RC_APICALL void RC_APIENTRY rcTextureAlpha(RCubyte value);
 /* RC_TEXTURE_WRAP_S/T (RC_REPEAT initially, RC_CLAMP_TO_EDGE, RC_MIRRORED_REPEAT), RC_TEXTURE_MIN_/MAG_FILTER
  * (any value; RC_LINEAR_MIPMAP_LINEAR is trilinear, else bilinear), RC_GENERATE_MIPMAP,
- * RC_TEXTURE_OPAQUE_ALPHA (1 ... 255, initially 16). IE: target, pname, wrap value; IV: range. */
+ * RC_TEXTURE_OPAQUE_ALPHA (1 ... 255, initially 16), RC_TEXTURE_MAX_ANISOTROPY_EXT (1 and more; 16 at most are used;
+ * initially 1). IE: target, pname, wrap value; IV: range. */
 RC_APICALL void RC_APIENTRY rcTexParameterf(RCenum target, RCenum pname, RCfloat param);
 RC_APICALL void RC_APIENTRY rcTexParameteri(RCenum target, RCenum pname, RCint param);
 RC_APICALL void RC_APIENTRY rcTexParameterx(RCenum target, RCenum pname, RCfixed param);

@@ -65,9 +65,9 @@ void setHint(Context &context, RCenum target, RCenum mode) {
 
 // What goes beyond the vendor's API, by name; docs/extensions/ has a document for each.
 constexpr const char *kExtensions =
-    "RC_RCX_debug_messages RC_RCX_es11_functions RC_RCX_frame_queries RC_RCX_frame_statistics RC_RCX_large_textures "
-    "RC_RCX_material_emission RC_RCX_opaque_alpha RC_RCX_packed_textures RC_RCX_ray_queries RC_RCX_structure_hint "
-    "RC_RCX_trilinear RC_RCX_vertex_colors";
+    "RC_RCX_anisotropy RC_RCX_debug_messages RC_RCX_es11_functions RC_RCX_frame_queries RC_RCX_frame_statistics "
+    "RC_RCX_large_textures RC_RCX_material_emission RC_RCX_opaque_alpha RC_RCX_packed_textures RC_RCX_ray_queries "
+    "RC_RCX_structure_hint RC_RCX_trilinear RC_RCX_vertex_colors";
 
 struct StringRow {
   RCenum name;

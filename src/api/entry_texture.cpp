@@ -13,8 +13,8 @@ using namespace rc::api;
 namespace {
 
 constexpr char kNoTextureParameter[] =
-    "pname 0x%04X is not RC_TEXTURE_WRAP_S, _WRAP_T, _MIN_FILTER, _MAG_FILTER, RC_GENERATE_MIPMAP or "
-    "RC_TEXTURE_OPAQUE_ALPHA";
+    "pname 0x%04X is not RC_TEXTURE_WRAP_S, _WRAP_T, _MIN_FILTER, _MAG_FILTER, RC_GENERATE_MIPMAP, "
+    "RC_TEXTURE_OPAQUE_ALPHA or RC_TEXTURE_MAX_ANISOTROPY_EXT";
 
 bool isWrap(RCenum value) { return value == RC_REPEAT || value == RC_CLAMP_TO_EDGE || value == RC_MIRRORED_REPEAT; }
 
@@ -54,6 +54,10 @@ void setParameter(Context &context, RCenum target, RCenum pname, RCint value) {
       if (value < 1 || value > 255) return context.fail(RC_INVALID_VALUE, "param is %d, not in 1 ... 255", value);
       texture.opaqueAlpha = value;
       break;
+    case RC_TEXTURE_MAX_ANISOTROPY_EXT:
+      if (value < 1) return context.fail(RC_INVALID_VALUE, "param is %d, not 1 or more", value);
+      texture.anisotropy = std::min(value, ddk::kMostAnisotropy);
+      break;
     default:
       return context.fail(RC_INVALID_ENUM, kNoTextureParameter, pname);
   }
@@ -85,6 +89,9 @@ void getParameter(Context &context, RCenum target, RCenum pname, Value *params) 
       break;
     case RC_TEXTURE_OPAQUE_ALPHA:
       value = texture.opaqueAlpha;
+      break;
+    case RC_TEXTURE_MAX_ANISOTROPY_EXT:
+      value = texture.anisotropy;
       break;
     default:
       return context.fail(RC_INVALID_ENUM, kNoTextureParameter, pname);

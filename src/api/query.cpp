@@ -74,6 +74,7 @@ constexpr QueryRow kRows[] = {
     {RC_MAX_TEXTURE_SIZE, Kind::Number, 1,
      [](const Context &c, double *v) { v[0] = c.state.texture.large ? 16384 : 1024; }},
     {RC_MAX_TEXTURE_UNITS, Kind::Number, 1, constant<1>},
+    {RC_MAX_TEXTURE_MAX_ANISOTROPY_EXT, Kind::Number, 1, constant<ddk::kMostAnisotropy>},
     {RC_MAX_MODELVIEW_STACK_DEPTH, Kind::Number, 1, constant<MatrixStack::kDepth>},
     {RC_MAX_PROJECTION_STACK_DEPTH, Kind::Number, 1, constant<MatrixStack::kDepth>},
     {RC_MAX_TEXTURE_STACK_DEPTH, Kind::Number, 1, constant<MatrixStack::kDepth>},

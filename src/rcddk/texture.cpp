@@ -112,6 +112,7 @@ hal::TextureView Texture::view() const {
   view.height = image->height;
   view.levelCount = static_cast<int>(image->levels.size());
   view.trilinear = minFilter == RC_LINEAR_MIPMAP_LINEAR;
+  view.anisotropy = anisotropy;
   view.hasAlpha = format != RC_RGB;
   view.opaqueAlpha = static_cast<float>(opaqueAlpha);
   return view;

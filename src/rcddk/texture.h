@@ -38,12 +38,16 @@ Texels readTexels(const PixelSource &source, int width, int height, uint8_t alph
 // base: width * height texels. width, height: powers of two.
 std::shared_ptr<Image> makeImage(Texels base, int width, int height, bool mipmaps);
 
+// Samples side by side where a footprint is stretched, at most.
+inline constexpr int kMostAnisotropy = 16;
+
 struct Texture {
   std::shared_ptr<Image> image;      // null where nothing was loaded; a frame on its way may share it
   std::shared_ptr<const void> loan;  // held for an image that somebody lent; let go when it is replaced
   RCenum wrapS = RC_REPEAT, wrapT = RC_REPEAT;
   RCenum minFilter = RC_NEAREST_MIPMAP_LINEAR, magFilter = RC_LINEAR;  // GL's initial values
   int opaqueAlpha = 16;
+  int anisotropy = 1;
   RCenum format = 0;  // RC_RGB or RC_RGBA, as loaded
 
   bool loaded() const { return image != nullptr; }

@@ -105,6 +105,7 @@ struct TextureView {
   int width = 0, height = 0;                                 // of level 0
   int levelCount = 0;
   bool trilinear = false;
+  int anisotropy = 1;      // most samples side by side where a footprint is stretched
   bool hasAlpha = true;    // it was loaded with alpha; else all texels have one alpha, which decides opacity alone
   float opaqueAlpha = 16;  // the alpha, 0 ... 255, from which on a texel is opaque
 };

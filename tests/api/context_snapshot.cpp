@@ -31,8 +31,9 @@ constexpr RCenum kLightValues[] = {RC_AMBIENT,
                                    RC_CONSTANT_ATTENUATION,
                                    RC_LINEAR_ATTENUATION,
                                    RC_QUADRATIC_ATTENUATION};
-constexpr RCenum kTextureValues[] = {RC_TEXTURE_WRAP_S,     RC_TEXTURE_WRAP_T,  RC_TEXTURE_MIN_FILTER,
-                                     RC_TEXTURE_MAG_FILTER, RC_GENERATE_MIPMAP, RC_TEXTURE_OPAQUE_ALPHA};
+constexpr RCenum kTextureValues[] = {
+    RC_TEXTURE_WRAP_S,  RC_TEXTURE_WRAP_T,       RC_TEXTURE_MIN_FILTER,        RC_TEXTURE_MAG_FILTER,
+    RC_GENERATE_MIPMAP, RC_TEXTURE_OPAQUE_ALPHA, RC_TEXTURE_MAX_ANISOTROPY_EXT};
 constexpr RCenum kTextureEnvValues[] = {RC_TEXTURE_ENV_MODE, RC_TEXTURE_ENV_COLOR, RC_COMBINE_RGB,  RC_COMBINE_ALPHA,
                                         RC_RGB_SCALE,        RC_ALPHA_SCALE,       RC_SRC0_RGB,     RC_SRC1_RGB,
                                         RC_SRC2_RGB,         RC_SRC0_ALPHA,        RC_SRC1_ALPHA,   RC_SRC2_ALPHA,

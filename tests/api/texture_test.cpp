@@ -42,12 +42,14 @@ TEST_F(TextureTest, InitialState) {
   EXPECT_EQ(integer(RC_TEXTURE_BINDING_2D), 0);
   EXPECT_EQ(integer(RC_MAX_TEXTURE_SIZE), 1024);
   EXPECT_EQ(integer(RC_MAX_TEXTURE_UNITS), 1);
+  EXPECT_EQ(integer(RC_MAX_TEXTURE_MAX_ANISOTROPY_EXT), 16);
   for (RCenum target : {RC_TEXTURE_2D, RC_TEXTURE_2D_NORMAL}) {
     EXPECT_FALSE(rcIsEnabled(RCenum(target)));
     EXPECT_EQ(texParameter(RC_TEXTURE_WRAP_S, RCenum(target)), RC_REPEAT);
     EXPECT_EQ(texParameter(RC_TEXTURE_WRAP_T, RCenum(target)), RC_REPEAT);
     EXPECT_EQ(texParameter(RC_GENERATE_MIPMAP, RCenum(target)), RC_TRUE);
     EXPECT_EQ(texParameter(RC_TEXTURE_OPAQUE_ALPHA, RCenum(target)), 16);
+    EXPECT_EQ(texParameter(RC_TEXTURE_MAX_ANISOTROPY_EXT, RCenum(target)), 1);
   }
   EXPECT_TRUE(rcIsTexture(0));
   EXPECT_FALSE(rcIsTexture(1));
@@ -289,7 +291,8 @@ TEST_F(TextureTest, ParametersAreKept) {
   } cases[] = {{RC_TEXTURE_WRAP_S, RC_CLAMP_TO_EDGE}, {RC_TEXTURE_WRAP_T, RC_MIRRORED_REPEAT},
                {RC_TEXTURE_MIN_FILTER, RC_NEAREST},   {RC_TEXTURE_MAG_FILTER, RC_LINEAR_MIPMAP_NEAREST},
                {RC_TEXTURE_MIN_FILTER, 12345},        {RC_GENERATE_MIPMAP, RC_FALSE},
-               {RC_TEXTURE_OPAQUE_ALPHA, 255},        {RC_TEXTURE_OPAQUE_ALPHA, 1}};
+               {RC_TEXTURE_OPAQUE_ALPHA, 255},        {RC_TEXTURE_OPAQUE_ALPHA, 1},
+               {RC_TEXTURE_MAX_ANISOTROPY_EXT, 2},    {RC_TEXTURE_MAX_ANISOTROPY_EXT, 16}};
   for (const auto &[pname, value] : cases) {
     const RCfloat f = static_cast<RCfloat>(value);
     for (int way = 0; way < 6; ++way) {
@@ -338,6 +341,11 @@ TEST_F(TextureTest, ParameterErrors) {
   for (RCint value : {-1, 0, 256}) {
     EXPECT_RAISES(RC_INVALID_VALUE, rcTexParameteri(RC_TEXTURE_2D, RC_TEXTURE_OPAQUE_ALPHA, value));
   }
+  for (RCint value : {-1, 0}) {
+    EXPECT_RAISES(RC_INVALID_VALUE, rcTexParameteri(RC_TEXTURE_2D, RC_TEXTURE_MAX_ANISOTROPY_EXT, value));
+  }
+  rcTexParameteri(RC_TEXTURE_2D, RC_TEXTURE_MAX_ANISOTROPY_EXT, 1000);  // more than there are is no error
+  EXPECT_EQ(texParameter(RC_TEXTURE_MAX_ANISOTROPY_EXT), 16);
   rcTexParameteriv(RC_TEXTURE_2D, RC_TEXTURE_WRAP_S, nullptr);
   rcTexParameterfv(RC_TEXTURE_2D, RC_TEXTURE_WRAP_S, nullptr);
   rcTexParameterxv(RC_TEXTURE_2D, RC_TEXTURE_WRAP_S, nullptr);

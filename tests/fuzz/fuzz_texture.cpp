@@ -75,8 +75,9 @@ void copyPart(Texture &t) {
 }
 
 void setParameter(Texture &t) {
-  constexpr RCenum kNames[] = {RC_TEXTURE_WRAP_S,     RC_TEXTURE_WRAP_T,  RC_TEXTURE_MIN_FILTER,
-                               RC_TEXTURE_MAG_FILTER, RC_GENERATE_MIPMAP, RC_TEXTURE_OPAQUE_ALPHA};
+  constexpr RCenum kNames[] = {
+      RC_TEXTURE_WRAP_S,  RC_TEXTURE_WRAP_T,       RC_TEXTURE_MIN_FILTER,        RC_TEXTURE_MAG_FILTER,
+      RC_GENERATE_MIPMAP, RC_TEXTURE_OPAQUE_ALPHA, RC_TEXTURE_MAX_ANISOTROPY_EXT};
   constexpr RCenum kValues[] = {RC_REPEAT, RC_CLAMP_TO_EDGE, RC_MIRRORED_REPEAT,      RC_NEAREST,
                                 RC_LINEAR, RC_TRUE,          RC_LINEAR_MIPMAP_LINEAR, RC_FALSE};
   const RCenum target = t.target(), name = t.in.below(16) == 0 ? t.in.token() : t.in.oneOf(kNames);

@@ -43,6 +43,7 @@ void RandomScene::makeTextures() {
     texture.width = texture.height = size;
     texture.levelCount = levels;
     texture.trilinear = chance(0.5f);
+    texture.anisotropy = 1 << below(5);
     texture.hasAlpha = chance(0.6f);
     texture.opaqueAlpha = chance(0.5f) ? 16 : 255;
     for (int level = 0; level < levels; ++level) {

@@ -8,9 +8,8 @@
 
 #include "rchal/units/coverage.h"
 #include "rchal/units/fog.h"
+#include "rchal/units/footprint.h"
 #include "rchal/units/lighting.h"
-#include "rchal/units/ray_cone.h"
-#include "rchal/units/texture.h"
 
 namespace rc::hal {
 
@@ -89,11 +88,14 @@ class Shader {
   }
 
   Vec4 sample(const TextureView &texture, const Wraps &wraps) const {
-    float lod = 0;
-    if (mScene.mipmaps && texture.levelCount > 1) {
-      const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
-      lod = levelOfDetail(*mAttributes, texture, mConeWidth, cosine);
+    const bool levels = mScene.mipmaps && texture.levelCount > 1;
+    if (levels && texture.anisotropy > 1) {
+      const Footprint footprint =
+          stretchedFootprint(*mTriangle, *mAttributes, texture, mPoint.flatNormal, -mView, mConeWidth);
+      return sampleFootprint(texture, mPoint.uv, wraps, footprint);
     }
+    const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
+    const float lod = levels ? levelOfDetail(*mAttributes, texture, mConeWidth, cosine) : 0.0f;
     return sampleTexture(texture, mPoint.uv, wraps, lod);
   }
 

@@ -26,7 +26,7 @@ class Model {
   void draw(const Pose &pose, const std::vector<bool> &moving, Part part);
 
   // Of all textures, from now on.
-  void setFilter(RCint filter) const { mTextures.setFilter(filter); }
+  void setFilter(const TextureFilter &filter) const { mTextures.setFilter(filter); }
   // The file's name for one of RayCore's materials; empty if it is none of the model's.
   std::string materialName(RCuint name) const;
 

@@ -67,7 +67,7 @@ class Show {
   void resize(int width, int height);
   // The studio stays where it is as seen from there, instead of following the viewer.
   void fixLights(const View &view) { mLightView = view; }
-  void setFilter(RCint filter) const { mModel.setFilter(filter); }
+  void setFilter(const TextureFilter &filter) const { mModel.setFilter(filter); }
   // What a material of RayCore's is called; empty for none.
   std::string materialName(RCuint name) const;
   // The next picture is made as if it were the first.

@@ -15,6 +15,12 @@ RCint wrapToken(Wrap wrap) {
   return kTokens[int(wrap)];
 }
 
+// Of the texture that is bound.
+void setParameters(RCenum target, const TextureFilter &filter) {
+  rcTexParameteri(target, RC_TEXTURE_MIN_FILTER, filter.minFilter);
+  rcTexParameteri(target, RC_TEXTURE_MAX_ANISOTROPY_EXT, filter.anisotropy);
+}
+
 uint8_t byteOf(float value) { return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)); }
 
 float linearOf(uint8_t byte) {
@@ -108,11 +114,11 @@ bool Textures::bindNormals(const Material &material) {
   return true;
 }
 
-void Textures::setFilter(RCint filter) const {
+void Textures::setFilter(const TextureFilter &filter) const {
   rcBindMaterial(0);  // whose texture is nobody's
   for (const Uploaded &texture : mUploaded) {
     rcBindTexture(texture.target, texture.name);
-    rcTexParameteri(texture.target, RC_TEXTURE_MIN_FILTER, filter);
+    setParameters(texture.target, filter);
   }
 }
 
@@ -125,7 +131,7 @@ void Textures::upload(RCenum target, const Image &image, const Texture &texture,
   if (std::max(fitting.width, fitting.height) > 1024) rcEnable(RC_LARGE_TEXTURES);
   rcTexParameteri(target, RC_TEXTURE_WRAP_S, wrapToken(texture.wrapS));
   rcTexParameteri(target, RC_TEXTURE_WRAP_T, wrapToken(texture.wrapT));
-  rcTexParameteri(target, RC_TEXTURE_MIN_FILTER, RC_LINEAR_MIPMAP_LINEAR);
+  setParameters(target, {});
   rcTexParameteri(target, RC_TEXTURE_OPAQUE_ALPHA, opaqueAlpha);
   rcTexImage2D(target, 0, RC_RGBA, fitting.width, fitting.height, 0, RC_RGBA, RC_UNSIGNED_BYTE, fitting.rgba.data());
 }

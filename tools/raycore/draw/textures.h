@@ -13,6 +13,13 @@
 
 namespace rc::tool {
 
+// RC_LINEAR_MIPMAP_LINEAR or another filter, and how many samples lie side by side where a texture is seen at a slant:
+// four bring most of what there is, for an eighth of a frame's time.
+struct TextureFilter {
+  RCint minFilter = RC_LINEAR_MIPMAP_LINEAR;
+  RCint anisotropy = 4;
+};
+
 class Textures {
  public:
   explicit Textures(const Scene &scene) : mScene(scene) {}
@@ -21,8 +28,8 @@ class Textures {
   bool bindColour(const Material &material);
   bool bindNormals(const Material &material);
 
-  // Of all of them, from now on: RC_LINEAR_MIPMAP_LINEAR or another filter.
-  void setFilter(RCint filter) const;
+  // How all of them are read from now on.
+  void setFilter(const TextureFilter &filter) const;
 
   // The coordinates they use.
   static const TextureUse &placeOf(const Material &material);

@@ -27,7 +27,7 @@ constexpr KeyRow kKeys[] = {
     {ViewAction::FewerBounces, {XK_minus, XK_KP_Subtract}, "-", "fewer reflections and refractions"},
     {ViewAction::MoreBounces, {XK_plus, XK_equal, XK_KP_Add}, "+", "more of them"},
     {ViewAction::Shadows, {XK_x}, "X", "shadows on or off"},
-    {ViewAction::Filter, {XK_t}, "T", "texture filter: trilinear, bilinear, base level alone"},
+    {ViewAction::Filter, {XK_t}, "T", "texture filter: anisotropic, trilinear, bilinear, base level"},
     {ViewAction::Structure, {XK_k}, "K", "acceleration structure: BVH, KD-tree"},
     {ViewAction::Statistics, {XK_i}, "I", "statistics"},
     {ViewAction::Help, {XK_h, XK_F1}, "H, F1", "this help"},

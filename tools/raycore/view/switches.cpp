@@ -14,13 +14,14 @@ constexpr int kMostBounces = 14;
 
 struct Filter {
   const char *name;
-  RCint filter;
+  TextureFilter filter;
   RCenum mipmaps;  // RC_NICEST: none, the base level is read
 };
 
-constexpr Filter kFilters[] = {{"trilinear", RC_LINEAR_MIPMAP_LINEAR, RC_DONT_CARE},
-                               {"bilinear", RC_LINEAR_MIPMAP_NEAREST, RC_DONT_CARE},
-                               {"base level alone", RC_LINEAR, RC_NICEST}};
+constexpr Filter kFilters[] = {{"anisotropic", {}, RC_DONT_CARE},
+                               {"trilinear", {RC_LINEAR_MIPMAP_LINEAR, 1}, RC_DONT_CARE},
+                               {"bilinear", {RC_LINEAR_MIPMAP_NEAREST, 1}, RC_DONT_CARE},
+                               {"base level alone", {RC_LINEAR, 1}, RC_NICEST}};
 
 struct Structure {
   const char *name;

@@ -60,6 +60,10 @@ HWY_INLINE V3 negateWhere(M mask, const V3 &v) { return select(mask, -v, v); }
 HWY_INLINE F dot(const V3 &a, const V3 &b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
+HWY_INLINE V3 cross(const V3 &a, const V3 &b) {
+  const auto minor = [](F p, F q, F r, F s) HWY_ATTR { return hn::Sub(hn::Mul(p, q), hn::Mul(r, s)); };
+  return {minor(a.y, b.z, b.y, a.z), minor(a.z, b.x, b.z, a.x), minor(a.x, b.y, b.x, a.y)};
+}
 HWY_INLINE F length(const V3 &v) { return hn::Sqrt(dot(v, v)); }
 HWY_INLINE F maxComponent(const V3 &v) { return hn::Max(v.x, hn::Max(v.y, v.z)); }
 RC_STEP V3 normalizedOr(const V3 &v, F length, const V3 &fallback) {

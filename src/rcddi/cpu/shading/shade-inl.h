@@ -13,9 +13,9 @@
 
 #include "rcddi/cpu/shading/coverage-inl.h"
 #include "rcddi/cpu/shading/fog-inl.h"
+#include "rcddi/cpu/shading/footprint-inl.h"
 #include "rcddi/cpu/shading/lighting-inl.h"
 #include "rcddi/cpu/shading/secondary-inl.h"
-#include "rcddi/cpu/shading/texture-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {

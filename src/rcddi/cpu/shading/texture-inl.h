@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // texture-inl.h: units/texture.h for lanes: one texture, a mip level for each lane.
-// In: TextureView, texture coordinates, level of detail.  Out: TexelLanes.  Next: shade-inl.h
+// In: TextureView, texture coordinates, level of detail.  Out: TexelLanes.  Next: footprint-inl.h
 #if defined(RAYCORE_SHADING_TEXTURE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_SHADING_TEXTURE_INL
 #undef RAYCORE_SHADING_TEXTURE_INL
@@ -100,25 +100,6 @@ RC_STEP TexelLanes sampleTexture(const hal::TextureView &texture, F lod, M valid
   const I fine = hn::ConvertTo(di, level), coarse = hn::Min(hn::Add(fine, hn::Set(di, 1)), hn::Set(di, last));
   const F share = hn::Sub(level, hn::Floor(level));
   return mix(sampleLevels(texture, fine, valid, s, t, wraps), sampleLevels(texture, coarse, valid, s, t, wraps), share);
-}
-
-// The level of detail of a texture where the rays' cones meet the surface.
-RC_STEP F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, const hal::TextureView &texture) {
-  const CornerValues s = cornerCoordinates(surface.attributes, 0), t = cornerCoordinates(surface.attributes, 1);
-  const F duX = hn::Sub(s.b, s.a), duY = hn::Sub(t.b, t.a), dvX = hn::Sub(s.c, s.a), dvY = hn::Sub(t.c, t.a);
-  const F area = hn::Abs(hn::Sub(hn::Mul(duX, dvY), hn::Mul(dvX, duY)));
-  const F texelArea = hn::Mul(hn::Mul(area, all(float(texture.width))), all(float(texture.height)));
-  const F cosine = hn::Abs(dot(surface.flatNormal, -rays.direction));
-  const F facing = log2Of(hn::Div(rays.coneWidth, hn::Max(cosine, all(1e-3f))));
-  return hn::Add(hn::Mul(all(0.5f), log2Of(hn::Div(texelArea, surface.attributes.floats[kPlaneOffset + 3]))), facing);
-}
-
-RC_STEP TexelLanes sample(const hal::SceneView &scene, const RayLanes &rays, const SurfaceLanes &surface, M asked,
-                          int32_t name, hal::Wraps wraps) {
-  const hal::TextureView &texture = scene.textures[size_t(name)];
-  F lod = zero();
-  if (scene.mipmaps && texture.levelCount > 1) lod = levelOfDetail(rays, surface, texture);
-  return sampleTexture(texture, lod, asked, surface.s, surface.t, wraps);
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
