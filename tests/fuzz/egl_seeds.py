@@ -100,11 +100,11 @@ def displays():
     return bytes(5) + steps + call("eglChooseConfig", D, attributes("EGL_RED_SIZE", 8, "EGL_SAMPLES", 4), b"\x10\x01", OUT) + DRAWN
 
 
-def questions(page, way):
+def questions(first, way):
     buffer = call("rcBindBuffer", unsigned("RC_ARRAY_BUFFER"), unsigned(2))
     buffer += call("rcBufferData", unsigned("RC_ARRAY_BUFFER"), b"\x01\x40", unsigned("RC_DYNAMIC_DRAW"), b"\x01")
     buffer += call("rcBufferSubData", unsigned("RC_ARRAY_BUFFER"), b"\x01\x04", b"\x01\x08", b"\x01")
-    return bytes(5) + bytes([IMAGE, 1, 0]) + buffer + DRAWN + DRAWN + bytes([ASK, page, way])
+    return bytes(5) + bytes([IMAGE, 1, 0]) + buffer + DRAWN + DRAWN + b"".join(struct.pack("<BHB", ASK, first // 64 + page, way) for page in range(4))
 
 
 def main():
@@ -113,9 +113,9 @@ def main():
     seeds = {f"texture_of_surface_{config}": bound_texture(config) for config in range(6)}
     seeds |= {"questions_of_egl": questions_of_egl(), "displays": displays()}
     seeds |= {f"fences_{kind}": fences(kind) for kind in range(2)} | {f"images_{kind}": images(kind) for kind in ["", "KHR"]}
-    pages = [0x00, 0x0B, 0x0C, 0x0D, 0x11, 0x12, 0x19, 0x1F, 0x22, 0x24, 0x26, 0x28, 0x30, 0x40, 0x80, 0x81, 0x82, 0x84,
+    tokens = [0x00, 0x0B, 0x0C, 0x0D, 0x11, 0x12, 0x19, 0x1F, 0x22, 0x24, 0x26, 0x28, 0x30, 0x40, 0x80, 0x81, 0x82, 0x84,
              0x85, 0x86, 0x87, 0x88, 0x8B]
-    seeds |= {f"questions_{page:02x}": questions(page, 0xFF) for page in pages}
+    seeds |= {f"questions_{upper:02x}": questions(upper << 8, 0xFF) for upper in tokens}
     for name, seed in seeds.items():
         (folder / name).write_bytes(seed)
 

@@ -25,8 +25,15 @@ void call(Steps &steps) {
 // What a program does first: a context and a surface, perhaps one to be used as a texture, current on this thread.
 void begin(Steps &steps) {
   constexpr uint8_t kForTexture = 0x80;
-  EGLint list[] = {EGL_WIDTH, EGLint(12 + steps.in.below(16)), EGL_HEIGHT,       12, EGL_TEXTURE_FORMAT, EGL_NO_TEXTURE,
-                   EGL_TEXTURE_TARGET, EGL_NO_TEXTURE, EGL_NONE};
+  EGLint list[] = {EGL_WIDTH,
+                   EGLint(12 + steps.in.below(16)),
+                   EGL_HEIGHT,
+                   12,
+                   EGL_TEXTURE_FORMAT,
+                   EGL_NO_TEXTURE,
+                   EGL_TEXTURE_TARGET,
+                   EGL_NO_TEXTURE,
+                   EGL_NONE};
   const uint8_t choice = steps.in.byte();
   if (choice & kForTexture) list[1] = list[3] = 16, list[5] = EGL_TEXTURE_RGB, list[7] = EGL_TEXTURE_2D;
   const EGLDisplay display = steps.world.display(choice);
@@ -72,12 +79,13 @@ void loadTexture(Steps &steps) {
   rcTexImage2D(RC_TEXTURE_2D, 0, RCint(format), 16, 16, 0, format, RC_UNSIGNED_BYTE, texels);
 }
 
-// Everything that can be asked for by the tokens of a page, 256 in a row: what they are called, what it is said to be.
+// Everything that can be asked for by the tokens of a page; the first page is that of our extensions.
 void ask(Steps &steps) {
-  constexpr RCenum kExtensions = 0x52430000;
-  const uint8_t page = steps.in.byte(), way = steps.in.byte();
-  const RCenum first = page == 0 ? kExtensions : RCenum{page} << 8;
-  for (RCenum token = first; token < first + 256; ++token) {
+  constexpr RCenum kExtensions = 0x52430000, kPage = 64;
+  const auto page = RCenum(steps.in.below(65536 / kPage));
+  const uint8_t way = steps.in.byte();
+  const RCenum first = page == 0 ? kExtensions : page * kPage;
+  for (RCenum token = first; token < first + kPage; ++token) {
     RCfloat floats[64];
     RCint integers[64];
     RCfixed fixed[64];
@@ -95,11 +103,11 @@ void ask(Steps &steps) {
 
 constexpr void (*kSteps[])(Steps &) = {begin, makeCurrent, swap, draw, loadTexture};
 constexpr uint8_t kFirstPrepared = 224;  // smaller codes are plain calls
-constexpr uint8_t kFirstQuestion = 250;
+constexpr uint8_t kQuestion = 250;
 
 void step(Steps &steps) {
   const uint8_t code = steps.in.byte();
-  if (code >= kFirstQuestion) return ask(steps);
+  if (code == kQuestion) return ask(steps);
   code < kFirstPrepared ? call(steps) : kSteps[code % std::size(kSteps)](steps);
 }
 
