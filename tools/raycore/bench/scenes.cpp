@@ -10,7 +10,6 @@
 namespace rc::tool {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr Vec3 kWhite{0.75f, 0.75f, 0.75f}, kRed{0.6f, 0.04f, 0.04f}, kGreen{0.1f, 0.45f, 0.1f},
     kBlue{0.08f, 0.15f, 0.6f};
 

@@ -7,8 +7,6 @@
 namespace rc::tool {
 namespace {
 
-constexpr float kPi = 3.14159265f;
-
 Vec3 unitOr(const Vec3 &v, const Vec3 &other) { return glm::length(v) > 1e-12f ? glm::normalize(v) : other; }
 
 }  // namespace

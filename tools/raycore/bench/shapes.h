@@ -10,6 +10,8 @@
 
 namespace rc::tool {
 
+inline constexpr float kPi = 3.14159265f;
+
 // A grid over u, v = 0 ... 1, with normals that follow the surface and coordinates (u, v).
 Primitive surfaceOf(int columns, int rows, const std::function<Vec3(float u, float v)> &point);
 

@@ -22,6 +22,8 @@ inline Mat4 asMat4(const aiMatrix4x4 &m) {
 
 using NodeNames = std::map<std::string, int>;
 
+// Adds a node behind all others, and to the children of its parent if it has one; its number.
+int append(Node node, Scene &to);
 // folder: where pictures are looked for.
 void convertMaterials(const aiScene &from, const std::string &folder, Scene &to);
 void convertMeshes(const aiScene &from, Scene &to);

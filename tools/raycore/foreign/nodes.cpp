@@ -16,6 +16,8 @@ void place(const aiMatrix4x4 &matrix, Node &node) {
   node.rotation = Quat(rotation.w, rotation.x, rotation.y, rotation.z);
 }
 
+}  // namespace
+
 int append(Node node, Scene &to) {
   const int index = static_cast<int>(to.nodes.size());
   if (node.parent >= 0) to.nodes[size_t(node.parent)].children.push_back(index);
@@ -23,8 +25,6 @@ int append(Node node, Scene &to) {
   to.order.push_back(index);
   return index;
 }
-
-}  // namespace
 
 NodeNames convertNodes(const aiScene &from, Scene &to) {
   NodeNames names;

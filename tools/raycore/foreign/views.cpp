@@ -24,13 +24,6 @@ int nodeNamed(const aiString &name, const NodeNames &names) {
   return found == names.end() ? 0 : found->second;
 }
 
-void append(Node node, Scene &to) {
-  const int index = static_cast<int>(to.nodes.size());
-  to.nodes[size_t(node.parent)].children.push_back(index);
-  to.nodes.push_back(std::move(node));
-  to.order.push_back(index);
-}
-
 void convertCamera(const aiCamera &from, const NodeNames &names, Scene &to) {
   Camera camera;
   camera.name = from.mName.C_Str();
