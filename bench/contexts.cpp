@@ -24,7 +24,8 @@ std::vector<float> sheet() {
   std::vector<float> vertices;
   for (int cell = 0; cell < kCells * kCells; ++cell) {
     for (const auto &[di, dj] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-      const float x = float(cell / kCells + di) / kCells - 0.5f, z = float(cell % kCells + dj) / kCells - 0.5f;
+      const auto row = cell / kCells, column = cell % kCells;
+      const float x = float(row + di) / kCells - 0.5f, z = float(column + dj) / kCells - 0.5f;
       vertices.insert(vertices.end(), {2 * x, 0.2f * std::sin(9 * x) * std::cos(8 * z), 2 * z});
     }
   }
@@ -61,6 +62,7 @@ Times draw(EGLDisplay display, EGLConfig config, int threads, int frames) {
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t before = std::clock();
   std::vector<std::thread> running;
+  running.reserve(size_t(threads));
   for (int i = 0; i < threads; ++i) running.emplace_back([&] { drawFrames(display, config, frames); });
   for (std::thread &thread : running) thread.join();
   return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),

@@ -26,8 +26,9 @@ double peerMilliseconds(const Arguments &arguments, const FrameScene &scene, con
   for (const char *how : {":flat", ":inst"}) {
     const bool moves = !scene.moving.empty();
     if (!moves && std::strcmp(how, ":flat") != 0) break;
-    const std::string command = "RES=" + size + " SCENES='" + soups + "' '" + arguments.peer + "' " + scene.peer +
-                                (moves ? how : "") + " " + std::to_string(kFrames) + " 2>&1";
+    std::string command = "RES=" + size;
+    command.append(" SCENES='").append(soups).append("' '").append(arguments.peer).append("' ").append(scene.peer);
+    command.append(moves ? how : "").append(" ").append(std::to_string(kFrames)).append(" 2>&1");
     std::FILE *output = popen(command.c_str(), "r");
     if (!output) return 0;
     double fastest = 0, build = 0;

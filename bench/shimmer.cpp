@@ -175,7 +175,7 @@ double psnr(const Pixels &pixels, const std::vector<double> &truth, bool ball) {
       const bool inside = dx * dx + dy * dy < 45 * 45;
       if (inside != ball) continue;
       for (int c = 0; c < 3; ++c) {
-        const auto i = size_t(y * kWidth + x);
+        const auto i = size_t(y) * kWidth + size_t(x);
         const double difference = pixels[i * 4 + size_t(c)] - truth[i * 3 + size_t(c)];
         sum += difference * difference;
         ++count;

@@ -30,11 +30,11 @@ static bool openWindow() {
   EGLint count = 0;
   gDisplay = eglGetDisplay(EGL_DEFAULT_DISPLAY);
   if (!done("eglGetDisplay")) return false;
-  eglInitialize(gDisplay, NULL, NULL);
+  eglInitialize(gDisplay, nullptr, nullptr);
   if (!done("eglInitialize")) return false;
   eglChooseConfig(gDisplay, wanted, &config, 1, &count);
   if (!done("eglChooseConfig") || count == 0) return false;
-  gSurface = eglCreateWindowSurface(gDisplay, config, EGLNativeWindowType(), NULL);
+  gSurface = eglCreateWindowSurface(gDisplay, config, EGLNativeWindowType(), nullptr);
   if (!done("eglCreateWindowSurface")) return false;
   gContext = eglCreateContext(gDisplay, config, EGL_NO_CONTEXT, version);
   if (!done("eglCreateContext")) return false;

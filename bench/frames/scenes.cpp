@@ -102,8 +102,9 @@ void makeSwarm(FrameScene &scene) {
   const Mesh ball = makeMoving(makeBall(7));
   for (int i = 0; i < 100; ++i) {
     Mesh copy = ball;
+    const auto column = i % 10, row = i / 10;
     for (Vec3 &v : copy.vertices) {
-      v = kMovingFoot + 0.12f * (v - kMovingFoot) + Vec3(float(i % 10) - 4.5f, 0.6f * float(i / 10), 0) * 0.6f;
+      v = kMovingFoot + 0.12f * (v - kMovingFoot) + Vec3(float(column) - 4.5f, 0.6f * float(row), 0) * 0.6f;
     }
     scene.moving.push_back(std::move(copy));
   }

@@ -56,7 +56,6 @@ std::string withTokenNames(std::string_view text) {
   for (size_t at = 0; at < text.size();) {
     const size_t start = std::min(text.find(kPrefix, at), text.size());
     named += text.substr(at, start - at);
-    at = start;
     if (start == text.size()) break;
     RCenum value = 0;
     const char *digits = text.data() + start + kPrefix.size();

@@ -32,7 +32,8 @@ inline std::vector<hal::Ray> cameraRays(size_t count, const Vec3 &eye, const Vec
   const auto rows = static_cast<float>((count + 15) / 16);
   std::vector<hal::Ray> rays;
   for (size_t i = 0; i < count; ++i) {
-    const float x = float(i % 16) / 16 - 0.47f, y = float(i / 16) / rows - 0.5f;
+    const auto column = i % 16, row = i / 16;
+    const float x = float(column) / 16 - 0.47f, y = float(row) / rows - 0.5f;
     rays.push_back({eye, glm::normalize(forward + x * side + y * up)});
   }
   return rays;
