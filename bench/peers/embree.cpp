@@ -4,7 +4,9 @@
 // embree.cpp: the distribution's Embree 3 as a peer: single rays and packets of 16 on its HIGH and MEDIUM trees.
 #include <embree3/rtcore.h>
 
+#include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include "peers/tracer.h"
 
@@ -24,11 +26,25 @@ constexpr Quality kMedium{"medium", RTC_BUILD_QUALITY_MEDIUM, RTC_BUILD_QUALITY_
 constexpr Quality kLow{"low", RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_LOW, RTC_SCENE_FLAG_DYNAMIC, "rebuild"};
 constexpr Quality kRefit{"refit", RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_REFIT, RTC_SCENE_FLAG_DYNAMIC, "refit"};
 
+// Embree keeps to the instruction set that we are told to keep to.
+std::string configuration(int threads) {
+  struct Row {
+    const char *ours, *theirs;
+  };
+  constexpr Row kRows[] = {{"sse4", "sse4.2"}, {"avx2", "avx2"}, {"avx512", "avx512"}};
+  std::string text = "threads=" + std::to_string(threads);
+  const char *wanted = std::getenv("RAYCORE_INSTRUCTION_SET");
+  for (const Row &row : kRows) {
+    if (wanted && !std::strcmp(wanted, row.ours)) text += std::string(",isa=") + row.theirs;
+  }
+  return text;
+}
+
 // A scene of one mesh, with its buffers.
 class Mesh {
  public:
   Mesh(const Soup &soup, const Quality &quality, int threads) : mSoup(soup) {
-    mDevice = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
+    mDevice = rtcNewDevice(configuration(threads).c_str());
     mScene = rtcNewScene(mDevice);
     rtcSetSceneFlags(mScene, quality.flags);
     rtcSetSceneBuildQuality(mScene, quality.scene);
