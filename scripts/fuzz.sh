@@ -57,7 +57,7 @@ for target in "${targets[@]}"; do
     continue
   fi
   [ "$target" != fuzz_scene ] || seed_models "$found"
-  options=(-max_total_time=0 -timeout=60 -rss_limit_mb=4096 -print_final_stats=1
+  options=(-timeout=60 -rss_limit_mb=4096 -print_final_stats=1
     -artifact_prefix="$build/broken/$target-")
   [ ! -f "$build/$target.dict" ] || options+=(-dict="$build/$target.dict")
   # What the libraries that read pictures leave behind when they give one up is gone with the loader's process.
@@ -68,9 +68,8 @@ for target in "${targets[@]}"; do
   [ "$target" != fuzz_api ] || traces=('' /dev/null)
   for trace in "${traces[@]}"; do
     echo "== $target ${trace:+traced}"
-    options[0]=-max_total_time=$((seconds / ${#traces[@]}))
     RAYCORE_TRACE=$trace ASAN_OPTIONS=$ASAN_OPTIONS:detect_leaks=$leaks nice -n 19 "$build/tests/fuzz/$target" \
-      "${options[@]}" "$found" "$corpora/$target" 2>"$build/$target.log" || {
+      -max_total_time=$((seconds / ${#traces[@]})) "${options[@]}" "$found" "$corpora/$target" 2>"$build/$target.log" || {
       tail -n 60 "$build/$target.log"
       exit 1
     }

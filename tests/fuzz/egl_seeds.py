@@ -5,39 +5,32 @@
 
     tests/fuzz/egl_seeds.py FOLDER"""
 import pathlib
-import re
 import struct
 import sys
 
-from trace_to_seeds import DRAW, IMAGE, PLAIN_CALL, ROOT, SWAP, code_of
+from trace_to_seeds import DRAW, IMAGE, PLAIN_CALL, SWAP, code_of, encoded, tokens
 
+EGL = pathlib.Path("/usr/include/EGL")
+TOKENS = tokens(EGL / "egl.h", EGL / "eglext.h")
 # Of World::handle: of the two objects of the first step, and the last one of up to six.
 DISPLAY, CONTEXT, SURFACE, LAST, NULL = 2, 64, 65, 120, 0
 ASK = 250
-EGL = pathlib.Path("/usr/include/EGL")
 TEXTURE_SURFACE = 0x80
 
 
-def token(name):
-    for header in [EGL / "egl.h", EGL / "eglext.h", ROOT / "include/RC/rctokens.h"]:
-        found = re.search(rf"^#define {name}\s+(0x[0-9A-Fa-f]+|\d+)", header.read_text(), re.M)
-        if found:
-            return int(found[1], 0)
-    raise KeyError(name)
-
-
 def integer(value):
-    value = token(value) if isinstance(value, str) else value
-    return bytes([value + 64]) if 0 <= value < 64 else b"\xfe" + struct.pack("<H", value)
+    return encoded("RCint", TOKENS.get(value, value))
 
 
 def unsigned(value):
-    return struct.pack("<H", token(value) if isinstance(value, str) else value)
+    return encoded("RCenum", TOKENS.get(value, value))
 
 
 def attributes(*values):
     """A list, which the target ends with EGL_NONE."""
-    return bytes([len(values) + 1 if values else 0]) + b"".join(integer(v) for v in values) + (integer(0) if values else b"")
+    if not values:
+        return b"\x00"
+    return bytes([len(values) + 1]) + b"".join(integer(value) for value in (*values, 0))
 
 
 def call(name, *arguments):

@@ -130,7 +130,8 @@ constexpr float kRounded = 10 * kSlack;
 // Whether a hit lies where its triangle does. The distance to a needle can be rounded by more than the whole way to it;
 // a structure then does not look where the hit is said to be.
 bool isPlaced(const Hit &hit, const Ray &ray, const HotTriangle &t) {
-  const Bounds bounds{glm::min(t.v0, glm::min(t.v1, t.v2)), glm::max(t.v0, glm::max(t.v1, t.v2))};
+  Bounds bounds;
+  for (const Vec3 &v : {t.v0, t.v1, t.v2}) bounds.add(v);
   const Vec3 way = hit.t * ray.direction, place = ray.origin + way;
   const Vec3 margin = kRounded * (glm::abs(ray.origin) + glm::abs(way));
   return glm::all(glm::lessThanEqual(bounds.lower, place + margin)) &&

@@ -31,9 +31,11 @@ def parameters():
     return {name: [] if given == "void" else given.split(", ") for name, given in rows}
 
 
-def tokens():
-    text = (ROOT / "include/RC/rctokens.h").read_text()
-    return {name: int(value, 0) for name, value in re.findall(r"^#define (RC_\w+)\s+(0x[0-9A-Fa-f]+|\d+)\b", text, re.M)}
+def tokens(*headers):
+    """Of our header of tokens, and of others."""
+    text = "".join(header.read_text() for header in (ROOT / "include/RC/rctokens.h", *headers))
+    return {name: int(value, 0)
+            for name, value in re.findall(r"^#define ((?:RC|EGL)_\w+)\s+(0x[0-9A-Fa-f]+|\d+)\b", text, re.M)}
 
 
 def number_in(text, names):

@@ -36,7 +36,7 @@ inline Footprint stretchedFootprint(const HotTriangle &triangle, const TriangleA
   };
   const float facing = glm::dot(normal, direction);
   const Vec3 along = normalizedOr(direction - facing * normal, e1 / glm::length(e1));
-  const Vec2 a = onTexture((width / std::max(std::abs(facing), 1e-3f)) * along);
+  const Vec2 a = onTexture((width / std::max(std::abs(facing), kLeastCosine)) * along);
   const Vec2 b = onTexture(width * glm::cross(normal, along));
   const float lengthA = lengthOf(a), lengthB = lengthOf(b);
   const bool aIsLonger = lengthA > lengthB;

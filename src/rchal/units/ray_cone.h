@@ -13,13 +13,16 @@
 
 namespace rc::hal {
 
+// A surface that is seen from its edge is looked at as if from so little above.
+inline constexpr float kLeastCosine = 1e-3f;
+
 // Level of detail of a texture where a cone of this width meets a triangle.
 inline float levelOfDetail(const TriangleAttributes &attributes, const TextureView &texture, float coneWidth,
                            float cosine) {
   const Vec2 du = attributes.uv[1] - attributes.uv[0], dv = attributes.uv[2] - attributes.uv[0];
   const float texelArea =
       std::abs(du.x * dv.y - dv.x * du.y) * static_cast<float>(texture.width) * static_cast<float>(texture.height);
-  return 0.5f * log2Of(texelArea / attributes.doubleArea) + log2Of(coneWidth / std::max(cosine, 1e-3f));
+  return 0.5f * log2Of(texelArea / attributes.doubleArea) + log2Of(coneWidth / std::max(cosine, kLeastCosine));
 }
 
 // How fast the interpolated normals turn over the triangle, 1 / radius: above 0 where the surface bulges towards the

@@ -88,15 +88,14 @@ class Shader {
   }
 
   Vec4 sample(const TextureView &texture, const Wraps &wraps) const {
-    const bool levels = mScene.mipmaps && texture.levelCount > 1;
-    if (levels && texture.anisotropy > 1) {
+    if (!mScene.mipmaps || texture.levelCount == 1) return sampleTexture(texture, mPoint.uv, wraps, 0);
+    if (texture.anisotropy > 1) {
       const Footprint footprint =
           stretchedFootprint(*mTriangle, *mAttributes, texture, mPoint.flatNormal, -mView, mConeWidth);
       return sampleFootprint(texture, mPoint.uv, wraps, footprint);
     }
     const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
-    const float lod = levels ? levelOfDetail(*mAttributes, texture, mConeWidth, cosine) : 0.0f;
-    return sampleTexture(texture, mPoint.uv, wraps, lod);
+    return sampleTexture(texture, mPoint.uv, wraps, levelOfDetail(*mAttributes, texture, mConeWidth, cosine));
   }
 
   // A normal map holds 2 c - 1 along the tangent, the bitangent and the normal of its triangle.

@@ -19,7 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-// So many rays, or fewer, are walked one by one: more where side by side takes several vectors. Measured with bench/trace.
+// So many rays, or fewer, are walked one by one: more where side by side takes several vectors. Measured with
+// bench/trace.
 constexpr size_t kFewRays = HWY_MAX_BYTES >= 64 ? 5 : 9;
 
 // Where the rays meet the boxes of the children. There is no branch on a single child: it cannot be foretold.

@@ -34,7 +34,7 @@ RC_STEP F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, const
   const F area = hn::Abs(hn::Sub(hn::Mul(edges.duX, edges.dvY), hn::Mul(edges.dvX, edges.duY)));
   const F texelArea = hn::Mul(hn::Mul(area, all(float(texture.width))), all(float(texture.height)));
   const F cosine = hn::Abs(dot(surface.flatNormal, -rays.direction));
-  const F facing = log2Of(hn::Div(rays.coneWidth, hn::Max(cosine, all(1e-3f))));
+  const F facing = log2Of(hn::Div(rays.coneWidth, hn::Max(cosine, all(hal::kLeastCosine))));
   return hn::Add(hn::Mul(all(0.5f), log2Of(hn::Div(texelArea, doubleAreaOf(surface)))), facing);
 }
 
@@ -62,7 +62,7 @@ RC_STEP FootprintLanes stretchedFootprint(const RayLanes &rays, const SurfaceLan
   const V3 anyWay{hn::Div(e1.x, edge), hn::Div(e1.y, edge), hn::Div(e1.z, edge)};
   const V3 along = normalizedOr(rays.direction - facing * normal, anyWay);
   F aS, aT, bS, bT;
-  onTexture(hn::Div(rays.coneWidth, hn::Max(hn::Abs(facing), all(1e-3f))) * along, aS, aT);
+  onTexture(hn::Div(rays.coneWidth, hn::Max(hn::Abs(facing), all(hal::kLeastCosine))) * along, aS, aT);
   onTexture(rays.coneWidth * cross(normal, along), bS, bT);
   const F lengthA = lengthOf(aS, aT), lengthB = lengthOf(bS, bT);
   const M aIsLonger = hn::Gt(lengthA, lengthB);
