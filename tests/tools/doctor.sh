@@ -51,8 +51,7 @@ for name in $names; do expect 0 "^ok +settings +$name=$" "$name="; done
 
 if command -v Xvfb >/dev/null; then
   mkfifo number
-  # A number that no other test's server has: one that ends would take the socket of the next one with its number away.
-  Xvfb ":$((1000 + $$ % 30000))" -displayfd 9 -nolisten tcp -screen 0 64x64x24 9>number 2>/dev/null &
+  Xvfb -displayfd 9 -nolisten tcp -screen 0 64x64x24 9>number 2>/dev/null &
   server=$!
   read -r number <number
   expect 0 '^ok +display +:[0-9]+, depth 24' "DISPLAY=:$number"

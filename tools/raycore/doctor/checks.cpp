@@ -5,9 +5,11 @@
 namespace rc::tool {
 
 std::vector<Check> examine() {
+  // Held while the picture is tried: many a server starts anew when its last guest leaves, and meanwhile refuses others.
+  const XServer server = connectToDisplay();
   std::vector<Check> checks{checkLibrary(),      checkSettings(), checkDevice(),
                             checkInstructions(), checkThreads(),  checkPicture()};
-  for (Check &check : checkDisplay()) checks.push_back(std::move(check));
+  for (Check &check : checkDisplay(server)) checks.push_back(std::move(check));
   for (Check (*check)() : {checkFolders, checkFilms, checkLibraries}) checks.push_back(check());
   return checks;
 }

@@ -4,8 +4,11 @@
 // checks.h: what `raycore doctor` looks at. Each check is one line: what is there, whether it is well, what helps.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
+
+struct _XDisplay;  // Xlib's Display
 
 namespace rc::tool {
 
@@ -33,6 +36,8 @@ Check checkFolders();
 Check checkFilms();
 Check checkLibraries();
 // checks_display.cpp
-std::vector<Check> checkDisplay();
+using XServer = std::shared_ptr<_XDisplay>;
+XServer connectToDisplay();  // null if there is none
+std::vector<Check> checkDisplay(const XServer &server);
 
 }  // namespace rc::tool

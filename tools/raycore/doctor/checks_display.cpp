@@ -9,14 +9,11 @@
 #include <sys/shm.h>
 
 #include <cstdlib>
-#include <memory>
 
 #include "doctor/checks.h"
 
 namespace rc::tool {
 namespace {
-
-using Server = std::unique_ptr<Display, int (*)(Display *)>;
 
 bool gFailed = false;
 
@@ -70,13 +67,20 @@ Check sharing(Display *display) {
 
 }  // namespace
 
-std::vector<Check> checkDisplay() {
+XServer connectToDisplay() {
+  const char *name = std::getenv("DISPLAY");
+  if (!name || !*name) return nullptr;
+  return {XOpenDisplay(name), [](Display *display) {
+            if (display) XCloseDisplay(display);
+          }};
+}
+
+std::vector<Check> checkDisplay(const XServer &server) {
   const char *name = std::getenv("DISPLAY");
   if (!name || !*name) {
     const char *advice = "off-screen pictures need none; raycore view and windows do: set DISPLAY, or xvfb-run COMMAND";
     return {{"display", Finding::Note, "none", advice}};
   }
-  const Server server(XOpenDisplay(nullptr), XCloseDisplay);
   if (!server) {
     const auto advice =
         fmt::format("no X server answers at {} (or it refuses: xauth, xhost); unset DISPLAY without one", name);
