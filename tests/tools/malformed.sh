@@ -24,14 +24,14 @@ case $file in
   *.png | *.jpg | *.jpeg | *.bmp) command=(render "$model" --background "$file") ;;
   *) command=(render "$file") ;;
 esac
-"$tool" "${command[@]}" -q --size 24x16 --samples 1 -o "$scratch/picture.ppm" 2>"$scratch/errors"
+"$tool" "${command[@]}" -q --size 24x16 --samples 1 -o "$scratch/picture.png" 2>"$scratch/errors"
 code=$?
 lines=$(wc -l <"$scratch/errors")
 
 grep -qE "the reader (crashed|failed|said)" "$scratch/errors" && fail "the reader crashed"
 if [ $code -eq 0 ]; then
   [ "$expected" = tolerate ] || fail "was accepted"
-  [ -s "$scratch/picture.ppm" ] || fail "no picture"
+  [ -s "$scratch/picture.png" ] || fail "no picture"
   [ "$lines" -eq 0 ] || fail "$lines lines on stderr in spite of success"
 else
   [ $code -eq 1 ] || fail "exit code $code"

@@ -43,8 +43,8 @@ if [ "$(id -u)" -eq 0 ] && mount -t tmpfs -o size=64k tmpfs full 2>/dev/null; th
   sequence full || say "with room, the run did not go on"
   diff -r whole full >/dev/null || say "the second run made other files"
 fi
-limited() { (trap '' XFSZ; ulimit -f 4; "$tool" render "$model" -q -o limited.ppm --size 64x48); }
-refused 'limited.ppm: cannot be written' limited
+limited() { (trap '' XFSZ; ulimit -f 1; "$tool" render "$model" -q -o "$1" --size 640x480); }
+for file in limited.ppm limited.png; do refused "$file: cannot be written" limited $file; done
 [ -z "$(ls -A | grep -E 'limited|raycore')" ] || say "part of a picture is left"
 
 refused 'nowhere/a.png: cannot be written' "$tool" render "$model" -q -o nowhere/a.png
@@ -57,6 +57,13 @@ mkdir folder.png
 refused 'folder.png: cannot be written' "$tool" render "$model" -q -o folder.png
 refused 'heat.tga: the extension' "$tool" stats "$model" --heatmap heat.tga
 
+# A library without the module of picture formats beside it: PNG is written all the same.
+mkdir alone
+cp "$(ldd "$tool" | sed -n 's/.*libRayCoreAPI.so => \(.*\) (.*/\1/p')" alone
+LD_LIBRARY_PATH=$PWD/alone "$tool" render "$model" -q -o alone.png --size 64x48 || say "PNG needs the module of formats"
+for command in "render -q -o a.jpg" "render -q -o a.png --background alone.png"; do
+  refused 'alone/raycore/pictures.so' env LD_LIBRARY_PATH="$PWD/alone" "$tool" $command "$model"
+done
 refused 'ffmpeg, which is not installed' env PATH=/nowhere "$tool" render "$model" -o film.mp4
 [ ! -e film.mp4.frames ] || say "frames were made although there is no ffmpeg"
 mkdir bin

@@ -5,7 +5,7 @@
 namespace rc::tool {
 
 std::vector<Check> examine() {
-  // Held while the picture is tried: many a server starts anew when its last guest leaves, and meanwhile refuses others.
+  // Held while the picture is tried: a server whose last guest leaves may start anew, and refuses others meanwhile.
   const XServer server = connectToDisplay();
   std::vector<Check> checks{checkLibrary(),      checkSettings(), checkDevice(),
                             checkInstructions(), checkThreads(),  checkPicture()};

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "codec/codec.h"
 #include "commands/machine.h"
 #include "doctor/checks.h"
 #include "load/error.h"
@@ -104,7 +105,13 @@ Check checkLibraries() {
   const Json libraries = aboutLibraries();
   std::vector<std::string> texts;
   for (const auto &[name, version] : libraries.items()) texts.push_back(name + " " + version.get<std::string>());
-  return {"libraries", Finding::Ok, fmt::format("{}", fmt::join(texts, ", ")), {}};
+  const std::string versions = fmt::format("{}", fmt::join(texts, ", "));
+  try {
+    codec();
+    return {"libraries", Finding::Ok, versions, {}};
+  } catch (const InputError &error) {
+    return {"libraries", Finding::Problem, versions, error.what()};
+  }
 }
 
 }  // namespace rc::tool

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// picture.h: bytes of a picture file -> RGBA, by OpenImageIO.
+// picture.h: bytes of a picture file -> RGBA, in any format that its first bytes tell.
 #pragma once
 
 #include <string>

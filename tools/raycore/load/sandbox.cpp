@@ -46,11 +46,11 @@ struct Limits {
   rlim_t bytes;
 };
 
-// A small file that needs more than this is not a small file.
+// A small file that needs more than this is not a small file; half a second goes by loading the picture formats.
 Limits limitsFor(const std::string &name) {
   std::error_code error;
   const auto size = std::filesystem::is_regular_file(name, error) ? std::filesystem::file_size(name, error) : 0;
-  return {2 + rlim_t(size / (kMiB / 2)), rlim_t(900 * kMiB + 100 * size)};
+  return {3 + rlim_t(size / (kMiB / 2)), rlim_t(900 * kMiB + 100 * size)};
 }
 
 void limit(int resource, rlim_t soft) {
