@@ -9,8 +9,6 @@ namespace {
 
 using Values = std::vector<float>;
 
-constexpr Colour kRed{200, 0, 0}, kBlue{0, 0, 200};
-
 class ArrayPointerTest : public ContextTest {
  protected:
   // What a quad without texture coordinates of its own shows.

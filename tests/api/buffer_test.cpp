@@ -7,11 +7,7 @@
 namespace rc::test {
 namespace {
 
-constexpr float kSquare[] = {10, 10, 0, 30, 10, 0, 30, 30, 0, 10, 30, 0};
 constexpr RCubyte kIndices[] = {9, 9, 0, 1, 2, 0, 2, 3};
-
-// An offset as the API wants it.
-const RCvoid *offset(size_t bytes) { return reinterpret_cast<const RCvoid *>(bytes); }
 
 class BufferTest : public ContextTest {
  protected:

@@ -30,7 +30,14 @@ inline constexpr RCfixed kFixedOne = 0x10000;
 inline constexpr RCenum kNoToken = 0x7A7A;  // no token has this value
 
 using Colour = std::array<int, 3>;
-inline constexpr Colour kBlack{0, 0, 0};
+inline constexpr Colour kBlack{0, 0, 0}, kWhite{255, 255, 255}, kRed{200, 0, 0}, kBlue{0, 0, 200};
+inline constexpr uint32_t kUntouched = 0x00123456;  // no traced pixel has alpha 0
+
+// Pixels 10 to 30 on both axes, as a fan.
+inline constexpr float kSquare[] = {10, 10, 0, 30, 10, 0, 30, 30, 0, 10, 30, 0};
+
+// An offset into a bound buffer, as the API wants it.
+inline const RCvoid *offset(size_t bytes) { return reinterpret_cast<const RCvoid *>(bytes); }
 
 // A picture in memory. fill() marks all pixels, so that a test sees whether a frame was traced.
 class MemorySurface : public api::DrawSurface {

@@ -7,7 +7,6 @@
 namespace rc::test {
 namespace {
 
-constexpr Colour kWhite{255, 255, 255};
 constexpr RCenum kArrays[] = {RC_VERTEX_ARRAY, RC_NORMAL_ARRAY, RC_TEXTURE_COORD_ARRAY};
 
 class GeometryTest : public ContextTest {
@@ -28,8 +27,6 @@ class GeometryTest : public ContextTest {
     return integer(RC_FRAME_TRIANGLES);
   }
 };
-
-constexpr float kSquare[] = {10, 10, 0, 30, 10, 0, 30, 30, 0, 10, 30, 0};
 
 TEST_F(GeometryTest, InitialState) {
   for (RCenum array : kArrays) EXPECT_FALSE(rcIsEnabled(array));

@@ -29,9 +29,9 @@ class LightTest : public ContextTest {
   }
 };
 
-constexpr RCenum kScalars[] = {RC_SPOT_EXPONENT,        RC_SPOT_INNER_CONE,    RC_SPOT_OUTER_CONE,
-                               RC_CONSTANT_ATTENUATION, RC_LINEAR_ATTENUATION, RC_QUADRATIC_ATTENUATION,
-                               RC_START_ATTENUATION,    RC_END_ATTENUATION,    RC_SPOT_CUTOFF};
+constexpr RCenum kLightScalars[] = {RC_SPOT_EXPONENT,        RC_SPOT_INNER_CONE,    RC_SPOT_OUTER_CONE,
+                                    RC_CONSTANT_ATTENUATION, RC_LINEAR_ATTENUATION, RC_QUADRATIC_ATTENUATION,
+                                    RC_START_ATTENUATION,    RC_END_ATTENUATION,    RC_SPOT_CUTOFF};
 constexpr RCenum kVectors[] = {RC_AMBIENT,  RC_DIFFUSE,        RC_SPECULAR,
                                RC_POSITION, RC_SPOT_DIRECTION, RC_ATTENUATION_RANGE};
 
@@ -57,19 +57,19 @@ TEST_F(LightTest, InitialState) {
 }
 
 TEST_F(LightTest, ScalarsAreKept) {
-  for (size_t i = 0; i < std::size(kScalars); ++i) {
+  for (size_t i = 0; i < std::size(kLightScalars); ++i) {
     const float number = float(i + 1);
-    rcLightf(RC_LIGHT3, kScalars[i], number);
-    EXPECT_EQ(light(RC_LIGHT3, kScalars[i], 1), Values{number});
-    rcLightx(RC_LIGHT3, kScalars[i], kFixedOne / 2);
-    EXPECT_EQ(light(RC_LIGHT3, kScalars[i], 1), Values{0.5f});
+    rcLightf(RC_LIGHT3, kLightScalars[i], number);
+    EXPECT_EQ(light(RC_LIGHT3, kLightScalars[i], 1), Values{number});
+    rcLightx(RC_LIGHT3, kLightScalars[i], kFixedOne / 2);
+    EXPECT_EQ(light(RC_LIGHT3, kLightScalars[i], 1), Values{0.5f});
     const float vector[] = {number + 1};
-    rcLightfv(RC_LIGHT3, kScalars[i], vector);
-    EXPECT_EQ(light(RC_LIGHT3, kScalars[i], 1), Values{number + 1});
+    rcLightfv(RC_LIGHT3, kLightScalars[i], vector);
+    EXPECT_EQ(light(RC_LIGHT3, kLightScalars[i], 1), Values{number + 1});
     const RCfixed fixed[] = {3 * kFixedOne};
-    rcLightxv(RC_LIGHT3, kScalars[i], fixed);
+    rcLightxv(RC_LIGHT3, kLightScalars[i], fixed);
     RCfixed back = 0;
-    rcGetLightxv(RC_LIGHT3, kScalars[i], &back);
+    rcGetLightxv(RC_LIGHT3, kLightScalars[i], &back);
     EXPECT_EQ(back, 3 * kFixedOne);
   }
   EXPECT_EQ(light(RC_LIGHT2, RC_SPOT_EXPONENT, 1), Values{0});
@@ -145,7 +145,7 @@ TEST_F(LightTest, NameAndParameterErrors) {
 }
 
 TEST_F(LightTest, RangeErrors) {
-  for (RCenum pname : kScalars) {
+  for (RCenum pname : kLightScalars) {
     EXPECT_RAISES(RC_INVALID_VALUE, rcLightf(RC_LIGHT0, pname, -0.5f));
     EXPECT_RAISES(RC_INVALID_VALUE, rcLightf(RC_LIGHT0, pname, kNan));
     EXPECT_RAISES(RC_INVALID_VALUE, rcLightx(RC_LIGHT0, pname, -kFixedOne));

@@ -12,7 +12,7 @@ using Values = std::vector<float>;
 
 constexpr RCenum kBoth = RC_FRONT_AND_BACK;
 constexpr RCenum kColours[] = {RC_AMBIENT, RC_DIFFUSE, RC_SPECULAR, RC_AMBIENT_AND_DIFFUSE, RC_EMISSION};
-constexpr RCenum kScalars[] = {RC_SHININESS, RC_SPECULAR_LEVEL, RC_REFRACTION_INDEX, RC_ROUGHNESS};
+constexpr RCenum kMaterialScalars[] = {RC_SHININESS, RC_SPECULAR_LEVEL, RC_REFRACTION_INDEX, RC_ROUGHNESS};
 constexpr RCenum kShares[] = {RC_REFLECTION, RC_TRANSMITTANCE};
 
 TEST_F(MaterialTest, InitialState) {
@@ -98,7 +98,7 @@ TEST_F(MaterialTest, DeletingIgnoresZeroAndUnknownNamesAndUnbinds) {
 }
 
 TEST_F(MaterialTest, ScalarsAreKept) {
-  for (RCenum pname : kScalars) {
+  for (RCenum pname : kMaterialScalars) {
     rcMaterialf(kBoth, pname, 1.5f);
     EXPECT_EQ(materialScalar(pname), 1.5f);
     rcMaterialx(kBoth, pname, 5 * kFixedOne / 2);
@@ -195,7 +195,7 @@ TEST_F(MaterialTest, FaceAndNameErrors) {
 }
 
 TEST_F(MaterialTest, RangeErrors) {
-  for (RCenum pname : kScalars) {
+  for (RCenum pname : kMaterialScalars) {
     const float values[] = {-0.5f};
     const RCfixed fixed[] = {-1};
     EXPECT_RAISES(RC_INVALID_VALUE, rcMaterialf(kBoth, pname, -0.5f));

@@ -9,8 +9,6 @@ namespace {
 
 using Values = std::vector<float>;
 
-constexpr uint32_t kUntouched = 0x00123456;  // no traced pixel has alpha 0
-
 class PictureTest : public ContextTest {
  protected:
   // Whether exactly the pixels of left <= x < right, bottom <= y < top were written.

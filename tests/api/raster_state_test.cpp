@@ -12,7 +12,7 @@ namespace {
 using Values = std::vector<float>;
 using RasterStateTest = ContextTest;
 
-constexpr RCint kMost = std::numeric_limits<RCint>::max();
+constexpr RCint kLargestInt = std::numeric_limits<RCint>::max();
 
 TEST_F(RasterStateTest, InitialState) {
   const std::pair<RCenum, Values> initial[] = {{RC_BLEND_SRC, {RC_ONE}},
@@ -43,7 +43,7 @@ TEST_F(RasterStateTest, InitialState) {
   RCint range[2] = {7, 7};
   rcGetIntegerv(RC_DEPTH_RANGE, range);  // 0 ... 1 spans the integers
   EXPECT_EQ(range[0], 0);
-  EXPECT_EQ(range[1], kMost);
+  EXPECT_EQ(range[1], kLargestInt);
 }
 
 TEST_F(RasterStateTest, BlendFactors) {
@@ -133,7 +133,7 @@ TEST_F(RasterStateTest, ClampedNumbers) {
   EXPECT_EQ(floats(RC_SAMPLE_COVERAGE_VALUE, 1), Values{0.5f});
   EXPECT_EQ(integer(RC_SAMPLE_COVERAGE_INVERT), 1);
   rcSampleCoveragex(2 * kFixedOne, RC_FALSE);
-  EXPECT_EQ(integer(RC_SAMPLE_COVERAGE_VALUE), kMost);
+  EXPECT_EQ(integer(RC_SAMPLE_COVERAGE_VALUE), kLargestInt);
   EXPECT_EQ(integer(RC_SAMPLE_COVERAGE_INVERT), 0);
   EXPECT_CLEAN();
 }

@@ -9,9 +9,6 @@
 namespace rc::test {
 namespace {
 
-constexpr Colour kWhite{255, 255, 255};
-constexpr uint32_t kUntouched = 0x00123456;  // no traced pixel has alpha 0
-
 class SceneTest : public ContextTest {
  protected:
   void SetUp() override {

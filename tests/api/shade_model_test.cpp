@@ -7,10 +7,10 @@
 namespace rc::test {
 namespace {
 
-constexpr Colour kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255}, kWhite{255, 255, 255};
-
 class ShadeModelTest : public ContextTest {
  protected:
+  static constexpr Colour kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255};
+
   void SetUp() override {
     ContextTest::SetUp();
     pixelCamera();

@@ -9,8 +9,6 @@ namespace {
 
 using TableErrorsTest = ContextTest;
 
-const RCvoid *offset(size_t bytes) { return reinterpret_cast<const RCvoid *>(bytes); }
-
 TEST_F(TableErrorsTest, PointersIntoBuffers) {
   RCuint buffer = 0;
   rcGenBuffers(1, &buffer);

@@ -7,8 +7,6 @@
 namespace rc::test {
 namespace {
 
-constexpr Colour kRed{200, 0, 0}, kBlue{0, 0, 200};
-
 class TextureTest : public ContextTest {
  protected:
   // The bound material shows its texture unlit: exactly the texels.

@@ -104,7 +104,8 @@ Pixels apiPicture(const ApiScene &scene, int framesBefore) {
 
 }  // namespace
 
-std::vector<uint32_t> pictureOfScene(int scene, int framesBefore) {
+std::vector<uint32_t> pictureOfScene(int number, int framesBefore) {
+  const int scene = number * kSceneStep;
   limitInstructionSet(settings().instructionSet);
   if (scene < kRandomScenes) return randomPicture(uint32_t(scene) + 1, framesBefore);
   return apiPicture(kApiScenes[scene - kRandomScenes], framesBefore);

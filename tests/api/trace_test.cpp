@@ -20,7 +20,7 @@ using api::Traced;
 constexpr struct {
   const char *name;
   RCenum value;
-} kAllTokens[] = {
+} kNamedTokens[] = {
 #define RC_TOKEN(name, value) {#name, value},
 #include "headers/token_values.inc"
 #undef RC_TOKEN
@@ -102,7 +102,7 @@ TEST(Trace, NoErrorHasAName) {
 // Each value has one of the names it has in the headers.
 TEST(Trace, EveryTokenHasAName) {
   std::map<RCenum, std::set<std::string>> names;
-  for (const auto &[name, value] : kAllTokens) names[value].insert(name);
+  for (const auto &[name, value] : kNamedTokens) names[value].insert(name);
   for (const auto &[value, choices] : names) {
     if (value < 8) continue;  // several names each: by parameter
     EXPECT_TRUE(choices.contains(api::tokenName(value, "")))

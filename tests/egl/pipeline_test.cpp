@@ -12,7 +12,7 @@
 namespace rc::test {
 namespace {
 
-constexpr int kFrames = 8;
+constexpr int kPictures = 8;
 constexpr RCuint kTexture = 5, kMaterial = 3;
 
 class Pipeline : public SmallProgram {
@@ -98,7 +98,7 @@ class Pipeline : public SmallProgram {
   // The pictures of frames that are waited for before anything else is done.
   std::vector<Picture> truth() {
     std::vector<Picture> pictures;
-    for (int i = 0; i < kFrames; ++i) {
+    for (int i = 0; i < kPictures; ++i) {
       drawFrame(i);
       rcFinish();
       pictures.push_back(read());
@@ -114,7 +114,7 @@ class Pipeline : public SmallProgram {
 TEST_F(Pipeline, WhatIsChangedMeanwhileIsNotSeen) {
   const std::vector<Picture> expected = truth();
   EXPECT_NE(expected[0], expected[1]);
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kPictures; ++i) {
     drawFrame(i);
     swap();
     meddle();
@@ -127,7 +127,7 @@ TEST_F(Pipeline, WhatIsChangedMeanwhileIsNotSeen) {
 // Nothing waits in between but the swaps themselves.
 TEST_F(Pipeline, FramesInARow) {
   const std::vector<Picture> expected = truth();
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kPictures; ++i) {
     drawFrame(i);
     swap();
   }
@@ -142,7 +142,7 @@ TEST_F(Pipeline, AStaticSceneIsReplacedOnceItIsNoLongerNeeded) {
   };
   std::vector<Picture> expected;
   for (const bool waits : {true, false}) {
-    for (int i = 0; i < kFrames; ++i) {
+    for (int i = 0; i < kPictures; ++i) {
       declare(0.1f * float(i));
       swap();
       if (waits) {
@@ -172,7 +172,7 @@ TEST_F(Pipeline, ReadingAndAskingWait) {
 }
 
 TEST_F(Pipeline, AFenceBehindASwapIsPassedByItself) {
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kPictures; ++i) {
     drawFrame(i);
     swap();
     const EGLSync fence = eglCreateSync(mDisplay, EGL_SYNC_FENCE, nullptr);
@@ -186,7 +186,7 @@ TEST_F(Pipeline, AFenceBehindASwapIsPassedByItself) {
 TEST_F(Pipeline, AnotherSurfaceTakesItsPlace) {
   const std::vector<Picture> expected = truth();
   const egl::Current first = egl::threadState().current;
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kPictures; ++i) {
     drawFrame(i);
     swap();
     ASSERT_TRUE(select({pbuffer(kSide, kSide), mDrawable.context}));
@@ -201,7 +201,7 @@ TEST_F(Pipeline, AnotherSurfaceTakesItsPlace) {
 
 TEST_F(Pipeline, AForkWaitsForThePictureOrTakesItAlong) {
   const std::vector<Picture> expected = truth();
-  for (int i = 0; i < kFrames; ++i) {
+  for (int i = 0; i < kPictures; ++i) {
     drawFrame(i);
     swap();
     const pid_t child = fork();

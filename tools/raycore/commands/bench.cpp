@@ -26,9 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kFormat = 1;  // of the JSON
-constexpr double kMiB = 1 << 20;
 
-struct Options {
+struct BenchOptions {
   ShowSettings show;
   std::string scenes, compare, pictures;
   std::vector<std::string> only;
@@ -52,11 +51,11 @@ ShowSettings withCommon(ShowSettings settings, const ShowSettings &common) {
   return settings;
 }
 
-bool isWanted(const Options &options, const std::string &name) {
+bool isWanted(const BenchOptions &options, const std::string &name) {
   return options.only.empty() || std::find(options.only.begin(), options.only.end(), name) != options.only.end();
 }
 
-std::vector<Task> tasksOf(const Options &options) {
+std::vector<Task> tasksOf(const BenchOptions &options) {
   std::vector<Task> tasks;
   for (const BenchScene &scene : builtInScenes()) {
     tasks.push_back({scene.name, scene.make, "", withCommon(scene.settings(), options.show)});
@@ -75,7 +74,7 @@ std::vector<Task> tasksOf(const Options &options) {
   return tasks;
 }
 
-Json run(const Options &options, const Task &task, Scene scene) {
+Json run(const BenchOptions &options, const Task &task, Scene scene) {
   Show show(std::move(scene), task.settings);
   const Measurement measurement = measure(show, options.repeat);
   if (!options.pictures.empty())
@@ -86,7 +85,7 @@ Json run(const Options &options, const Task &task, Scene scene) {
 }
 
 // Everything is read first: the reader is a fork, and this process must have no threads then.
-Json runAll(const Options &options) {
+Json runAll(const BenchOptions &options) {
   const std::vector<Task> tasks = tasksOf(options);
   std::vector<Scene> scenes;
   for (const Task &task : tasks) scenes.push_back(task.make ? task.make() : loadNamed(task.file, options.load));
@@ -156,7 +155,7 @@ void printComparison(const Json &before, const Json &now) {
   }
 }
 
-int bench(const Options &options) {
+int bench(const BenchOptions &options) {
   const Json before = options.compare.empty() ? Json() : readResults(options.compare);
   if (!options.pictures.empty()) checkFolder(options.pictures);
   const Json now = runAll(options);
@@ -173,7 +172,7 @@ int bench(const Options &options) {
 
 Command addBench(CLI::App &app) {
   CLI::App *command = app.add_subcommand("bench", "The standard scenes in numbers");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchOptions>();
   options->show.samples = 1;
   options->show.bounces = 4;  // glass in glass doubles its rays at each
   addPictureSize(*command, options->show);

@@ -162,13 +162,13 @@ void printText(const Json &json) {
   for (const Json &note : json["notes"]) fmt::print("note: {}\n", note.get<std::string>());
 }
 
-struct Options {
+struct InfoOptions {
   std::string input;
   bool json = false;
   LoadOptions load;
 };
 
-int info(const Options &options) {
+int info(const InfoOptions &options) {
   Scene scene = loadNamed(options.input, options.load);
   for (const Material &material : std::vector<Material>(scene.materials)) noteApproximations(material, scene);
   const Json json = about(options.input, scene);
@@ -184,7 +184,7 @@ int info(const Options &options) {
 
 Command addInfo(CLI::App &app) {
   CLI::App *command = app.add_subcommand("info", "What is in a model, and what cannot be drawn as it is meant");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoOptions>();
   command->add_option("model", options->input, "File of the model; - reads glTF from standard input")->required();
   command->add_flag("--json", options->json, "Print JSON");
   addLoadOptions(*command, options->load);

@@ -28,7 +28,7 @@ constexpr const char *kExamples =
     "  raycore render fox.glb -o walk.mp4 --animation 1\n"
     "Frames that exist and are whole are not made again: an interrupted command goes on where it was.";
 
-struct Options {
+struct RenderOptions {
   std::string input, output, frames;
   ShowSettings show;
   double fps = 30, time = 0;
@@ -47,7 +47,7 @@ void finishFrameOnInterrupt() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-void report(const Options &options, const Show &show, const std::string &file, int frame) {
+void report(const RenderOptions &options, const Show &show, const std::string &file, int frame) {
   const Statistics &s = show.statistics();
   if (options.json) {
     fmt::print(
@@ -62,7 +62,7 @@ void report(const Options &options, const Show &show, const std::string &file, i
 }
 
 // Makes what is missing; false after an interruption.
-bool makeFrames(const Options &options, Show &show, const FrameRange &range, const std::string &pattern) {
+bool makeFrames(const RenderOptions &options, Show &show, const FrameRange &range, const std::string &pattern) {
   Progress progress("frame", range.count(), options.load.quiet);
   long long rays = 0;
   double seconds = 0;
@@ -80,19 +80,19 @@ bool makeFrames(const Options &options, Show &show, const FrameRange &range, con
   return true;
 }
 
-int interrupted(const Options &options) {
+int interrupted(const RenderOptions &options) {
   fmt::print(stderr, "raycore: interrupted; the frames so far are kept, the same command goes on{}\n",
              options.overwrite ? " without --overwrite" : "");
   return kInterrupted;
 }
 
-int renderStill(const Options &options, Show &show) {
+int renderStill(const RenderOptions &options, Show &show) {
   writePicture(show.picture(float(options.time)), options.output);
   report(options, show, options.output, 0);
   return 0;
 }
 
-int renderVideo(const Options &options, Show &show, const FrameRange &range) {
+int renderVideo(const RenderOptions &options, Show &show, const FrameRange &range) {
   const std::string folder = framesFolder(options.output), pattern = folder + "/frame-%06d.png";
   std::error_code error;
   std::filesystem::create_directory(folder, error);
@@ -109,19 +109,19 @@ FrameRange wholeAnimation(const Show &show, double fps) {
   return {0, std::max(0, int(std::ceil(end * fps)) - 1)};
 }
 
-void check(const Options &options) {
+void check(const RenderOptions &options) {
   if (isVideo(options.output)) return checkFfmpeg();
   checkPictureName(options.output);
   if (options.output == "-" && !options.frames.empty()) reject("numbered pictures need files: -o NAME-%04d.png");
 }
 
 // A film or a sequence plays the first animation unless another is named.
-void chooseAnimation(const Scene &scene, Options &options) {
+void chooseAnimation(const Scene &scene, RenderOptions &options) {
   const bool moves = isVideo(options.output) || !options.frames.empty() || options.time != 0;
   if (moves && options.show.animation.empty() && !scene.animations.empty()) options.show.animation = "0";
 }
 
-int render(Options options) {
+int render(RenderOptions options) {
   check(options);
   const FrameRange asked = options.frames.empty() ? FrameRange{} : rangeFrom(options.frames);
   Scene scene = loadNamed(options.input, options.load);
@@ -139,7 +139,7 @@ int render(Options options) {
 
 Command addRender(CLI::App &app) {
   CLI::App *command = app.add_subcommand("render", "Render a model to pictures or a film");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   command->add_option("model", options->input, "File of the model; - reads glTF from standard input")->required();
   command
       ->add_option("-o,--output", options->output,

@@ -17,7 +17,7 @@
 namespace rc::tool {
 namespace {
 
-struct Options {
+struct StatsOptions {
   std::string input, heatMap;
   ShowSettings show;
   int repeat = 3;
@@ -25,11 +25,9 @@ struct Options {
   LoadOptions load;
 };
 
-constexpr double kMiB = 1 << 20;
-
 std::string rateText(const std::optional<double> &rate) { return rate ? fmt::format("{:.2f}", *rate) : "-"; }
 
-void print(const Options &options, const Measurement &m) {
+void print(const StatsOptions &options, const Measurement &m) {
   const auto row = [](const char *name, const std::string &text) { fmt::print("{:<24} {}\n", name, text); };
   row("model", options.input);
   row("picture", fmt::format("{} x {}, {} sample{}, {} bounces", options.show.width, options.show.height,
@@ -50,7 +48,7 @@ void print(const Options &options, const Measurement &m) {
   row("tests for a primary ray", fmt::format("{:.1f} boxes, {:.1f} triangles", m.boxesPerRay, m.trianglesPerRay));
 }
 
-int stats(const Options &options) {
+int stats(const StatsOptions &options) {
   if (!options.heatMap.empty()) checkPictureName(options.heatMap);
   Show show(loadNamed(options.input, options.load), options.show);
   const Measurement measurement = measure(show, options.repeat);
@@ -72,7 +70,7 @@ int stats(const Options &options) {
 
 Command addStats(CLI::App &app) {
   CLI::App *command = app.add_subcommand("stats", "What tracing a model costs");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StatsOptions>();
   command->add_option("model", options->input, "File of the model; - reads glTF from standard input")->required();
   addShowOptions(*command, options->show);
   command->add_option("--repeat", options->repeat, "Pictures traced for each number; the median counts")

@@ -15,6 +15,7 @@ namespace rc::tool {
 
 using Json = nlohmann::ordered_json;
 
+inline constexpr double kMiB = 1 << 20;
 inline constexpr std::array kRayKinds{"primary", "shadow", "reflected", "refracted", "straight"};
 
 struct Measurement {
