@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // raycore: renders and inspects models. Exit codes: 0 done, 1 bad input or output, 2 wrong usage.
+#include <fmt/format.h>
+
 #include <csignal>
 #include <cstdio>
 #include <new>
@@ -39,6 +41,10 @@ int refuse(const CLI::App &app, const CLI::Error &error, const std::string &firs
   const std::vector<CLI::App *> chosen = app.get_subcommands();
   const std::string command = chosen.empty() ? "raycore" : "raycore " + chosen.front()->get_name();
   std::string wrong = error.what();
+  // CLI11 names them from behind: a value before the option it was meant for.
+  if (!chosen.empty() && dynamic_cast<const CLI::ExtrasError *>(&error)) {
+    wrong = fmt::format("not understood: {}", fmt::join(chosen.front()->remaining(), " "));
+  }
   if (chosen.empty() && !first.empty() && first[0] != '-') wrong = "there is no command \"" + first + "\"";
   std::fprintf(stderr, "%s: %s\n%s --help tells more\n", command.c_str(), wrong.c_str(), command.c_str());
   return kWrongUsage;
