@@ -8,13 +8,13 @@
 #
 #   setup.sh        what the library, the command and their tests need
 #   setup.sh docs   what the book, the packages and the Python package need besides; tests skip what is missing
-#   setup.sh fuzz   Clang and its tools, for the presets fuzz and coverage; no test needs them
+#   setup.sh fuzz   Clang and its tools, for the presets fuzz and coverage and for tidy.sh; no test needs them
 set -eu
 
 packages=(
   g++ cmake ninja-build pkg-config ccache
   libtbb-dev libhwy-dev libglm-dev libpng-dev libx11-dev libxext-dev libegl-dev libglvnd-core-dev
-  libassimp-dev libopenimageio-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+  libassimp-dev libjpeg-dev libopenimageio-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libgtest-dev xvfb xdotool libgles-dev libegl-mesa0 mesa-utils-bin
 )
 
@@ -23,7 +23,7 @@ packages=(
   pybind11-dev python3-dev python3-numpy python3-pytest python3-mesonpy
   abigail-tools dpkg-dev fakeroot lintian
 )
-[ "${1:-}" = fuzz ] && packages+=(clang llvm libclang-rt-dev)
+[ "${1:-}" = fuzz ] && packages+=(clang clang-tidy llvm libclang-rt-dev)
 
 missing=()
 for package in "${packages[@]}"; do

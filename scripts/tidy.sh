@@ -9,7 +9,7 @@
 # Remarks are counted once, however many files see them; there is one: exit code 1.
 set -eu
 cd "$(dirname "$0")/.."
-command -v clang-tidy >/dev/null || { echo "clang-tidy is not installed" >&2; exit 1; }
+bash scripts/setup.sh fuzz
 
 cmake --preset release >/dev/null
 parts=$(IFS='|'; echo "${*:-.}")

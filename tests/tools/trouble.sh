@@ -57,11 +57,13 @@ mkdir folder.png
 refused 'folder.png: cannot be written' "$tool" render "$model" -q -o folder.png
 refused 'heat.tga: the extension' "$tool" stats "$model" --heatmap heat.tga
 
-# A library without the module of picture formats beside it: PNG is written all the same.
+# A library without the module of picture formats beside it: PNG is written and read all the same.
+"$tool" render "$model" -q -o alone.bmp --size 64x48
 mkdir alone
 cp "$(ldd "$tool" | sed -n 's/.*libRayCoreAPI.so => \(.*\) (.*/\1/p')" alone
 LD_LIBRARY_PATH=$PWD/alone "$tool" render "$model" -q -o alone.png --size 64x48 || say "PNG needs the module of formats"
-for command in "render -q -o a.jpg" "render -q -o a.png --background alone.png"; do
+LD_LIBRARY_PATH=$PWD/alone "$tool" render "$model" -q -o a.png --size 64x48 --background alone.png || say "PNG is not read"
+for command in "render -q -o a.jpg" "render -q -o a.png --background alone.bmp"; do
   refused 'alone/raycore/pictures.so' env LD_LIBRARY_PATH="$PWD/alone" "$tool" $command "$model"
 done
 refused 'ffmpeg, which is not installed' env PATH=/nowhere "$tool" render "$model" -o film.mp4

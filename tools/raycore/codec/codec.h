@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// codec.h: the picture formats of OpenImageIO, behind a door that opens when somebody knocks. That library brings some
-// 250 others, which take longer to start than most models take to be rendered; so it is in a module of its own,
-// raycore/pictures.so beside libRayCoreAPI.so.
+// codec.h: the picture formats of OpenImageIO but for PNG and JPEG, behind a door that opens when somebody knocks. That
+// library brings some 250 others, which take longer to start than most models take to be rendered; so it is in a module
+// of its own, raycore/pictures.so beside libRayCoreAPI.so.
 #pragma once
 
 #include <string>

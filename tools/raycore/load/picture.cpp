@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "codec/codec.h"
+#include "codec/jpeg.h"
+#include "codec/png.h"
 #include "load/error.h"
 #include "load/file.h"
 
@@ -37,22 +39,14 @@ std::string formatOf(const std::string &bytes, const std::string &name) {
   reject("no picture format that is known");
 }
 
-// The library reads pictures without Huffman tables as if they were frames of a film: with tables of its own.
-void checkJpegTables(std::string_view bytes) {
-  constexpr uint8_t kHuffman = 0xC4, kArithmetic = 0xCC, kScan = 0xDA;
-  for (size_t at = 2; at + 4 <= bytes.size() && bytes[at] == '\xff';) {
-    const auto marker = static_cast<uint8_t>(bytes[at + 1]);
-    if (marker == kHuffman || marker == kArithmetic) return;
-    if (marker == kScan) reject("the picture cannot be read: it has no Huffman table");
-    at += 2 + size_t(uint8_t(bytes[at + 2])) * 256 + uint8_t(bytes[at + 3]);
-  }
-}
-
 }  // namespace
 
 Image decodePicture(const std::string &bytes, const std::string &name) {
   const std::string format = formatOf(bytes, name);
-  if (format == "jpeg") checkJpegTables(bytes);
+  if (format == "png") return decodePng(bytes, name);
+  if (format == "jpeg") {
+    if (auto image = decodeJpeg(bytes, name)) return *std::move(image);
+  }
   return codec().decode(bytes, format, name);
 }
 

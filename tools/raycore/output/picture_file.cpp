@@ -10,9 +10,9 @@
 #include <filesystem>
 
 #include "codec/codec.h"
+#include "codec/png.h"
 #include "load/error.h"
 #include "load/file.h"
-#include "output/png.h"
 
 namespace rc::tool {
 namespace {

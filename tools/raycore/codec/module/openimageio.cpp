@@ -7,13 +7,11 @@
 #include <string_view>
 
 #include "codec/codec.h"
-#include "load/error.h"
+#include "codec/limits.h"
 #include "load/file.h"
 
 namespace rc::tool {
 namespace {
-
-constexpr int kLargestSide = 16384;
 
 // The library's messages may have several lines; ours have one.
 std::string oneLine(std::string text) {
@@ -22,13 +20,6 @@ std::string oneLine(std::string text) {
   }
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text.empty() ? "damaged" : text;
-}
-
-void checkSize(const OIIO::ImageSpec &spec) {
-  if (spec.width < 1 || spec.height < 1) reject("the picture has no pixels");
-  if (spec.width > kLargestSide || spec.height > kLargestSide) {
-    reject("the picture is {} x {}, the largest side is {}", spec.width, spec.height, kLargestSide);
-  }
 }
 
 // One to four channels become RGBA.
@@ -71,7 +62,7 @@ class OpenImageIo final : public Codec {
     if (!input->open(name.empty() ? "memory" : name, spec, wishes)) {
       reject("the picture cannot be read: {}", oneLine(input->geterror()));
     }
-    checkSize(spec);
+    checkPictureSize(spec.width, spec.height);
     const int channels = std::min(spec.nchannels, 4);
     Image image{name, spec.width, spec.height, {}};
     std::vector<uint8_t> pixels(size_t(spec.width) * size_t(spec.height) * size_t(channels));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// png.h: the format in which nearly all pictures are written, by libpng, which RayCore needs anyway and which starts
-// at once; the others are the codec's.
+// png.h: PNG, by libpng, which RayCore needs anyway and which starts at once.
 #pragma once
 
 #include <string>
@@ -10,6 +9,9 @@
 #include "scene/scene.h"
 
 namespace rc::tool {
+
+// Of any kind of PNG; the first 8 bits of 16. name: for messages. Throws InputError.
+Image decodePng(const std::string &bytes, const std::string &name);
 
 // Without opacity. name: for messages. Throws InputError.
 void writePng(const Image &image, const std::string &file, const std::string &name);
