@@ -70,7 +70,7 @@ own_dpkg() {
 own_dpkg --install "${debs[@]}"
 libdir=$(dirname "$(find "$root/usr/lib" -name libRayCoreAPI.so)")
 bash "$tests/use.sh" "$root/usr" "$libdir" "$tests" cc c++ "$scratch/use"
-if [ -x "$root/usr/bin/raycore" ]; then LD_LIBRARY_PATH=$libdir "$root/usr/bin/raycore" version >/dev/null; fi
+if [ -x "$root/usr/bin/raycore" ]; then LD_LIBRARY_PATH=$libdir "$root/usr/bin/raycore" doctor; fi
 
 names=()
 for deb in "${debs[@]}"; do names+=("$(dpkg-deb -f "$deb" Package)"); done
