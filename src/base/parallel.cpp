@@ -30,9 +30,28 @@ namespace {
 class Handover {
  public:
   void give() { release(&mThere); }
-  void take() { acquire(&mThere); }
-  void finish() { release(&mBack); }
-  void await() { acquire(&mBack); }
+
+  // A task, and the wait for all of them, as scopes: exceptions leave them too.
+  class Task {
+   public:
+    explicit Task(Handover &handover) : mHandover(handover) { acquire(&mHandover.mThere); }
+    ~Task() { release(&mHandover.mBack); }
+    Task(const Task &) = delete;
+    Task &operator=(const Task &) = delete;
+
+   private:
+    Handover &mHandover;
+  };
+  class Wait {
+   public:
+    explicit Wait(Handover &handover) : mHandover(handover) {}
+    ~Wait() { acquire(&mHandover.mBack); }
+    Wait(const Wait &) = delete;
+    Wait &operator=(const Wait &) = delete;
+
+   private:
+    Handover &mHandover;
+  };
 
  private:
 #ifdef RC_THREAD_SANITIZER
@@ -112,35 +131,33 @@ void Workers::forEach(size_t count, const std::function<void(size_t i, int worke
   }
   Handover handover;
   handover.give();
+  const Handover::Wait wait(handover);
   // One index a task: tiles differ in cost, and stealing single ones keeps all threads busy to the end.
   const auto spread = [&] {
     tbb::parallel_for(
         tbb::blocked_range<size_t>(0, count, 1),
         [&](const tbb::blocked_range<size_t> &range) {
-          handover.take();
+          const Handover::Task task(handover);
           const FloatMode mode;
           const int worker = tbb::this_task_arena::current_thread_index();
           for (size_t i = range.begin(); i != range.end(); ++i) body(i, worker);
-          handover.finish();
         },
         tbb::simple_partitioner());
   };
   // Whoever waits for the last index must not begin a background job meanwhile: that may take long.
   mImpl->arena->execute([&] { tbb::this_task_arena::isolate(spread); });
-  handover.await();
 }
 
 void Workers::run(const std::function<void()> &body) const {
   if (threadsLostInFork()) return body();
   Handover handover;
   handover.give();
+  const Handover::Wait wait(handover);
   mImpl->arena->execute([&] {
-    handover.take();
+    const Handover::Task task(handover);
     const FloatMode mode;
     body();
-    handover.finish();
   });
-  handover.await();
 }
 
 // The job is done under a lock, so that fork() waits for it. In the child of a fork that came before the job began,
@@ -187,9 +204,8 @@ void Background::begin(std::function<void()> job) {
   impl.handover.give();
   impl.workers->arena->execute([&] {
     impl.group.run([&] {
-      impl.handover.take();
+      const Handover::Task task(impl.handover);
       impl.perform();
-      impl.handover.finish();
     });
   });
   impl.begun = true;
@@ -199,8 +215,8 @@ void Background::wait() {
   Impl &impl = *mImpl;
   if (!std::exchange(impl.begun, false)) return;
   if (threadsLostInFork()) return impl.perform();
+  const Handover::Wait wait(impl.handover);
   impl.workers->arena->execute([&] { impl.group.wait(); });
-  impl.handover.await();
 }
 
 void both(const std::function<void()> &first, const std::function<void()> &second) {
@@ -210,14 +226,13 @@ void both(const std::function<void()> &first, const std::function<void()> &secon
   }
   Handover handover;
   handover.give();
-  const auto handedOver = [&](const std::function<void()> &task) {
-    handover.take();
+  const Handover::Wait wait(handover);
+  const auto handedOver = [&](const std::function<void()> &work) {
+    const Handover::Task task(handover);
     const FloatMode mode;
-    task();
-    handover.finish();
+    work();
   };
   tbb::parallel_invoke([&] { handedOver(first); }, [&] { handedOver(second); });
-  handover.await();
 }
 
 }  // namespace rc
