@@ -1,7 +1,6 @@
 # Sources that are compiled as one read the large headers once, which is most of what compiling them takes; a whole
 # build is a third shorter. Off, each is compiled alone: quicker while one file is worked on (the preset dev), and what
-# clang-tidy wants.
-option(RAYCORE_JOIN_SOURCES "Compile several sources as one" ON)
+# editors that run clang-tidy want.
 
 # raycore_join(target group source...): groups are themes; names of file scope must differ within one.
 function(raycore_join target group)

@@ -11,8 +11,6 @@
 namespace rc::test {
 namespace {
 
-constexpr int kRandomScenes = 24;
-
 using Pixels = std::vector<uint32_t>;
 
 struct Memory final : api::DrawSurface {
@@ -64,7 +62,7 @@ struct ApiScene {
   RCenum rendering;
 };
 
-constexpr ApiScene kApiScenes[] = {
+constexpr ApiScene kBuilt[kApiScenes] = {
     {RC_STRUCTURE_BVH, 100, true, false, RC_DONT_CARE},    {RC_STRUCTURE_KD_TREE, 100, true, false, RC_DONT_CARE},
     {RC_STRUCTURE_BVH, 100, false, false, RC_DONT_CARE},   {RC_STRUCTURE_BVH, 20, false, true, RC_NICEST},
     {RC_STRUCTURE_KD_TREE, 20, false, true, RC_DONT_CARE}, {RC_STRUCTURE_BVH, 30, true, true, RC_FASTEST_AND_NICEST},
@@ -104,11 +102,10 @@ Pixels apiPicture(const ApiScene &scene, int framesBefore) {
 
 }  // namespace
 
-std::vector<uint32_t> pictureOfScene(int number, int framesBefore) {
-  const int scene = number * kSceneStep;
+std::vector<uint32_t> pictureOfScene(int scene, int framesBefore) {
   limitInstructionSet(settings().instructionSet);
-  if (scene < kRandomScenes) return randomPicture(uint32_t(scene) + 1, framesBefore);
-  return apiPicture(kApiScenes[scene - kRandomScenes], framesBefore);
+  if (scene < kRandomScenes) return randomPicture(uint32_t(scene * kRandomStep) + 1, framesBefore);
+  return apiPicture(kBuilt[scene - kRandomScenes], framesBefore);
 }
 
 }  // namespace rc::test

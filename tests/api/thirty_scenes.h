@@ -11,16 +11,17 @@
 
 namespace rc::test {
 
-#ifdef RAYCORE_FEW_TARGETS  // sanitizers look for other faults, and are slow
-inline constexpr int kSceneStep = 3;
+#ifdef RAYCORE_FEW_TARGETS  // sanitizers are slow: every sixth of the random ones
+inline constexpr int kRandomStep = 6;
 #else
-inline constexpr int kSceneStep = 1;
+inline constexpr int kRandomStep = 1;
 #endif
-inline constexpr int kScenes = 30 / kSceneStep, kSceneWidth = 64, kSceneHeight = 48;
+inline constexpr int kRandomScenes = 24 / kRandomStep, kApiScenes = 6, kScenes = kRandomScenes + kApiScenes;
+inline constexpr int kSceneWidth = 64, kSceneHeight = 48;
 inline constexpr std::size_t kScenePixels = std::size_t(kSceneWidth) * kSceneHeight;
 
 // The pixels of scene 0 ... kScenes - 1, with the settings of the process; framesBefore: other frames that the same
 // device or context draws first.
-std::vector<uint32_t> pictureOfScene(int number, int framesBefore);
+std::vector<uint32_t> pictureOfScene(int scene, int framesBefore);
 
 }  // namespace rc::test

@@ -25,7 +25,8 @@ fi
 
 # the command, where it was built, with completions and a manual page
 if [ -e "$prefix/bin/raycore" ]; then
-  env -u LD_LIBRARY_PATH "$prefix/bin/raycore" --version >/dev/null
+  mapfile -t settings < <(env | sed -nE 's/^(RAYCORE_[A-Z_]*)=.*/-u\n\1/p')
+  env -u LD_LIBRARY_PATH -u DISPLAY "${settings[@]}" "$prefix/bin/raycore" doctor
   for file in bash-completion/completions/raycore zsh/site-functions/_raycore fish/vendor_completions.d/raycore.fish \
     man/man1/raycore.1; do
     [ -s "$prefix/share/$file" ]

@@ -17,6 +17,7 @@ done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 unset DISPLAY
+for variable in $(env | sed -nE 's/^(RAYCORE_[A-Z_]*)=.*/\1/p'); do unset "$variable"; done  # doctor would see them
 # Not the clock: the time of the last entry of the changelog.
 SOURCE_DATE_EPOCH=$(date -d "$(sed -n 's/^ -- .*>  //p' "$source/packaging/changelog" | head -n 1)" +%s)
 export SOURCE_DATE_EPOCH

@@ -44,7 +44,7 @@ if [ "$(id -u)" -eq 0 ] && mount -t tmpfs -o size=64k tmpfs full 2>/dev/null; th
   diff -r whole full >/dev/null || say "the second run made other files"
 fi
 limited() { (trap '' XFSZ; ulimit -f 1; "$tool" render "$model" -q -o "$1" --size 640x480); }
-for file in limited.ppm limited.png; do refused "$file: cannot be written" limited $file; done
+for file in limited.ppm limited.png limited.jpg limited.bmp; do refused "$file: cannot be written" limited $file; done
 [ -z "$(ls -A | grep -E 'limited|raycore')" ] || say "part of a picture is left"
 
 refused 'nowhere/a.png: cannot be written' "$tool" render "$model" -q -o nowhere/a.png
@@ -63,7 +63,7 @@ mkdir alone
 cp "$(ldd "$tool" | sed -n 's/.*libRayCoreAPI.so => \(.*\) (.*/\1/p')" alone
 LD_LIBRARY_PATH=$PWD/alone "$tool" render "$model" -q -o alone.png --size 64x48 || say "PNG needs the module of formats"
 LD_LIBRARY_PATH=$PWD/alone "$tool" render "$model" -q -o a.png --size 64x48 --background alone.png || say "PNG is not read"
-for command in "render -q -o a.jpg" "render -q -o a.png --background alone.bmp"; do
+for command in "render -q -o a.exr" "render -q -o a.png --background alone.bmp"; do
   refused 'alone/raycore/pictures.so' env LD_LIBRARY_PATH="$PWD/alone" "$tool" $command "$model"
 done
 refused 'ffmpeg, which is not installed' env PATH=/nowhere "$tool" render "$model" -o film.mp4

@@ -4,8 +4,10 @@
 // raycore: renders and inspects models. Exit codes: 0 done, 1 bad input or output, 2 wrong usage.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <iterator>
 #include <new>
 
 #include "commands/commands.h"
@@ -42,8 +44,10 @@ int refuse(const CLI::App &app, const CLI::Error &error, const std::string &firs
   const std::string command = chosen.empty() ? "raycore" : "raycore " + chosen.front()->get_name();
   std::string wrong = error.what();
   // CLI11 names them from behind: a value before the option it was meant for.
-  if (!chosen.empty() && dynamic_cast<const CLI::ExtrasError *>(&error)) {
-    wrong = fmt::format("not understood: {}", fmt::join(chosen.front()->remaining(), " "));
+  if (dynamic_cast<const CLI::ExtrasError *>(&error)) {
+    std::vector<std::string> rest = app.remaining();  // before the command
+    if (!chosen.empty()) std::ranges::copy(chosen.front()->remaining(), std::back_inserter(rest));
+    wrong = fmt::format("not understood: {}", fmt::join(rest, " "));
   }
   if (chosen.empty() && !first.empty() && first[0] != '-') wrong = "there is no command \"" + first + "\"";
   std::fprintf(stderr, "%s: %s\n%s --help tells more\n", command.c_str(), wrong.c_str(), command.c_str());

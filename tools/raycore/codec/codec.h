@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// codec.h: the picture formats of OpenImageIO but for PNG and JPEG, behind a door that opens when somebody knocks. That
-// library brings some 250 others, which take longer to start than most models take to be rendered; so it is in a module
-// of its own, raycore/pictures.so beside libRayCoreAPI.so.
+// codec.h: the picture formats that png.h and jpeg.h leave to OpenImageIO, behind a door that opens when somebody
+// knocks. That library brings some 250 others, which take longer to start than most models take to be rendered; so it
+// is in a module of its own, raycore/pictures.so beside libRayCoreAPI.so.
 #pragma once
 
 #include <string>
@@ -19,7 +19,8 @@ class Codec {
   // format: OpenImageIO's name of it; name: for messages. Throws InputError.
   virtual Image decode(const std::string &bytes, const std::string &format, const std::string &name) const = 0;
 
-  // Into the file, in the format of the name's extension. Throws InputError.
+  // Into the file, in the format of the name's extension; not JPEG, whose library would end the process. Throws
+  // InputError.
   virtual void encode(const Image &image, const std::string &file, const std::string &name) const = 0;
 
   // Whether the file is a picture of this size that can be read to its end.

@@ -8,6 +8,7 @@
 // clang-format on
 
 #include <csetjmp>
+#include <cstdlib>
 #include <string_view>
 
 #include "codec/limits.h"
@@ -16,14 +17,14 @@ namespace rc::tool {
 namespace {
 
 // libjpeg leaves by longjmp: nothing with a destructor lives in the steps below.
-struct Errors {
+struct JpegErrors {
   jpeg_error_mgr base;
   std::jmp_buf out;
   char text[JMSG_LENGTH_MAX];
 };
 
 [[noreturn]] void leaveJpeg(j_common_ptr jpeg) {
-  auto *errors = reinterpret_cast<Errors *>(jpeg->err);
+  auto *errors = reinterpret_cast<JpegErrors *>(jpeg->err);
   jpeg->err->format_message(jpeg, errors->text);
   std::longjmp(errors->out, 1);
 }
@@ -47,12 +48,13 @@ class JpegDecoder {
     jpeg_read_header(&mJpeg, TRUE);
     return true;
   }
-  bool readRows(uint8_t *rgba) {
+  // rgb: three bytes a pixel.
+  bool readRows(uint8_t *rgb) {
     if (setjmp(mErrors.out)) return false;
-    mJpeg.out_color_space = JCS_EXT_RGBA;
+    mJpeg.out_color_space = JCS_RGB;
     jpeg_start_decompress(&mJpeg);
     while (mJpeg.output_scanline < mJpeg.output_height) {
-      JSAMPROW row = rgba + size_t(mJpeg.output_scanline) * mJpeg.output_width * 4;
+      JSAMPROW row = rgb + size_t(mJpeg.output_scanline) * mJpeg.output_width * 3;
       jpeg_read_scanlines(&mJpeg, &row, 1);
     }
     return true;
@@ -64,8 +66,51 @@ class JpegDecoder {
   const char *error() const { return mErrors.text; }
 
  private:
-  Errors mErrors{};
+  JpegErrors mErrors{};
   jpeg_decompress_struct mJpeg{};
+};
+
+class JpegEncoder {
+ public:
+  JpegEncoder() {
+    mJpeg.err = jpeg_std_error(&mErrors.base);
+    mErrors.base.error_exit = leaveJpeg;
+  }
+  ~JpegEncoder() {
+    jpeg_destroy_compress(&mJpeg);
+    std::free(mBytes);
+  }
+  JpegEncoder(const JpegEncoder &) = delete;
+  JpegEncoder &operator=(const JpegEncoder &) = delete;
+
+  bool write(uint8_t *rgb, int width, int height) {
+    if (setjmp(mErrors.out)) return false;
+    jpeg_create_compress(&mJpeg);
+    jpeg_mem_dest(&mJpeg, &mBytes, &mSize);
+    mJpeg.image_width = JDIMENSION(width);
+    mJpeg.image_height = JDIMENSION(height);
+    mJpeg.input_components = 3;
+    mJpeg.in_color_space = JCS_RGB;
+    jpeg_set_defaults(&mJpeg);
+    jpeg_set_quality(&mJpeg, kQuality, TRUE);
+    jpeg_start_compress(&mJpeg, TRUE);
+    while (mJpeg.next_scanline < mJpeg.image_height) {
+      JSAMPROW row = rgb + size_t(mJpeg.next_scanline) * mJpeg.image_width * 3;
+      jpeg_write_scanlines(&mJpeg, &row, 1);
+    }
+    jpeg_finish_compress(&mJpeg);
+    return true;
+  }
+  std::string bytes() const { return {reinterpret_cast<const char *>(mBytes), mSize}; }
+  const char *error() const { return mErrors.text; }
+
+ private:
+  static constexpr int kQuality = 92;  // of 100
+
+  JpegErrors mErrors{};
+  jpeg_compress_struct mJpeg{};
+  unsigned char *mBytes = nullptr;
+  unsigned long mSize = 0;
 };
 
 // libjpeg reads pictures without Huffman tables as if they were frames of a film: with tables of its own.
@@ -86,11 +131,24 @@ std::optional<Image> decodeJpeg(const std::string &bytes, const std::string &nam
   JpegDecoder decoder;
   if (!decoder.readHeader(bytes)) reject("the picture cannot be read: {}", decoder.error());
   checkPictureSize(decoder.width(), decoder.height());
-  if (decoder.colours() == 4) return std::nullopt;
+  if (decoder.colours() != 1 && decoder.colours() != 3) return std::nullopt;
   Image image{name, int(decoder.width()), int(decoder.height()), {}};
-  image.rgba.resize(size_t(image.width) * size_t(image.height) * 4);
-  if (!decoder.readRows(image.rgba.data())) reject("the picture cannot be read: {}", decoder.error());
+  std::vector<uint8_t> rgb(size_t(image.width) * size_t(image.height) * 3);
+  if (!decoder.readRows(rgb.data())) reject("the picture cannot be read: {}", decoder.error());
+  image.rgba.reserve(rgb.size() / 3 * 4);
+  for (size_t i = 0; i < rgb.size(); i += 3) {
+    image.rgba.insert(image.rgba.end(), {rgb[i], rgb[i + 1], rgb[i + 2], 255});
+  }
   return image;
+}
+
+std::string encodeJpeg(const Image &image) {
+  std::vector<uint8_t> rgb;
+  rgb.reserve(image.rgba.size() / 4 * 3);
+  for (size_t i = 0; i < image.rgba.size(); i += 4) rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
+  JpegEncoder encoder;
+  if (!encoder.write(rgb.data(), image.width, image.height)) reject("JPEG: {}", encoder.error());
+  return encoder.bytes();
 }
 
 }  // namespace rc::tool

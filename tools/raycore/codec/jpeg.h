@@ -11,7 +11,10 @@
 
 namespace rc::tool {
 
-// name: for messages. Nothing: four colours of printers, which are the codec's. Throws InputError.
+// name: for messages. Nothing: neither grey nor of three colours, which is the codec's. Throws InputError.
 std::optional<Image> decodeJpeg(const std::string &bytes, const std::string &name);
+
+// The bytes of a file, without opacity. Throws InputError.
+std::string encodeJpeg(const Image &image);
 
 }  // namespace rc::tool

@@ -39,7 +39,9 @@ class PngDecoder {
   explicit PngDecoder(const std::string &bytes) : mInput{bytes.data(), bytes.size(), {}} {
     mPng = png_create_read_struct(PNG_LIBPNG_VER_STRING, &mInput, leavePng, ignoreWarning);
     if (mPng) mInfo = png_create_info_struct(mPng);
-    if (!mInfo) reject("there is not enough memory");
+    if (mInfo) return;
+    png_destroy_read_struct(&mPng, nullptr, nullptr);
+    reject("there is not enough memory");
   }
   ~PngDecoder() { png_destroy_read_struct(&mPng, &mInfo, nullptr); }
   PngDecoder(const PngDecoder &) = delete;
@@ -60,6 +62,7 @@ class PngDecoder {
     png_set_add_alpha(mPng, 255, PNG_FILLER_AFTER);
     png_set_interlace_handling(mPng);
     png_read_update_info(mPng, mInfo);
+    if (png_get_rowbytes(mPng, mInfo) != size_t(width()) * 4) png_error(mPng, "its rows are not understood");
     png_read_image(mPng, rows);
     return true;
   }

@@ -10,7 +10,7 @@
 
 namespace rc::tool {
 
-// Of any kind of PNG; the first 8 bits of 16. name: for messages. Throws InputError.
+// Of any kind of PNG; 16 bits are rounded to 8. name: for messages. Throws InputError.
 Image decodePng(const std::string &bytes, const std::string &name);
 
 // Without opacity. name: for messages. Throws InputError.

@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "codec/codec.h"
+#include "codec/jpeg.h"
 #include "codec/png.h"
 #include "load/error.h"
 #include "load/file.h"
@@ -19,12 +23,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kExtensions{".png", ".jpg", ".jpeg", ".bmp", ".ppm", ".exr"};
+constexpr std::array kOthers{".bmp", ".ppm", ".exr"};
 
 bool isPng(const std::string &name) { return extensionOf(name) == ".png"; }
+bool isJpeg(const std::string &name) { return extensionOf(name) == ".jpg" || extensionOf(name) == ".jpeg"; }
+
+void writeBytes(const std::string &bytes, const std::string &file, const std::string &name) {
+  std::ofstream out(file, std::ios::binary);
+  out.write(bytes.data(), std::streamsize(bytes.size()));
+  out.close();
+  if (!out) reject("{}: cannot be written: {}", name, std::strerror(errno));
+}
 
 void writeTo(const Image &image, const std::string &file, const std::string &name) {
-  isPng(name) ? writePng(image, file, name) : codec().encode(image, file, name);
+  if (isPng(name)) return writePng(image, file, name);
+  if (isJpeg(name)) return writeBytes(encodeJpeg(image), file, name);
+  codec().encode(image, file, name);
 }
 
 void copyToStandardOutput(const std::string &file) {
@@ -46,8 +60,11 @@ struct Temporary {
 }  // namespace
 
 void checkPictureName(const std::string &name) {
-  if (name == "-" || std::ranges::count(kExtensions, extensionOf(name))) return;
-  reject("{}: the extension is none of png, jpg, bmp, ppm, exr, mp4, webm", name);
+  if (name == "-" || isPng(name) || isJpeg(name)) return;
+  if (!std::ranges::count(kOthers, extensionOf(name))) {
+    reject("{}: the extension is none of png, jpg, bmp, ppm, exr, mp4, webm", name);
+  }
+  codec();
 }
 
 void checkFolder(const std::string &name) {

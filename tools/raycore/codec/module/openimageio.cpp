@@ -13,13 +13,13 @@
 namespace rc::tool {
 namespace {
 
-// The library's messages may have several lines; ours have one.
-std::string oneLine(std::string text) {
+// The library's messages may have several lines, or none; ours have one.
+std::string oneLine(std::string text, const char *otherwise = "damaged") {
   for (char &c : text) {
     if (c == '\n') c = ' ';
   }
   while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text.empty() ? "damaged" : text;
+  return text.empty() ? otherwise : text;
 }
 
 // One to four channels become RGBA.
@@ -79,13 +79,16 @@ class OpenImageIo final : public Codec {
     const bool linear = extensionOf(name) == ".exr";
     OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8);
     spec["oiio:ColorSpace"] = linear ? "Linear" : "sRGB";
-    spec["Compression"] = linear ? "zip" : "jpeg:92";
+    if (linear) spec["Compression"] = "zip";
     const std::vector<float> values = linear ? linearPixels(image) : std::vector<float>{};
     const void *pixels = linear ? static_cast<const void *>(values.data()) : image.rgba.data();
     const OIIO::TypeDesc type = linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     const OIIO::stride_t step = 4 * OIIO::stride_t(type.size());
     const bool done = output->open(file, spec) && output->write_image(type, pixels, step) && output->close();
-    if (!done) reject("{}: cannot be written: {}", name, oneLine(output->geterror()));
+    if (!done) reject("{}: cannot be written: {}", name, oneLine(output->geterror(), "the file is not whole"));
+    output.reset();
+    // Some formats do not look whether their bytes have been written.
+    if (!isWhole(file, image.width, image.height)) reject("{}: cannot be written: the file is not whole", name);
   }
 
   bool isWhole(const std::string &name, int width, int height) const override {
@@ -95,9 +98,9 @@ class OpenImageIo final : public Codec {
       return false;
     }
     const OIIO::ImageSpec spec = input->spec();
+    if (spec.width != width || spec.height != height) return false;
     std::vector<uint8_t> pixels(size_t(spec.width) * size_t(spec.height) * size_t(spec.nchannels));
-    return spec.width == width && spec.height == height &&
-           input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data());
+    return input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data());
   }
 };
 
