@@ -31,5 +31,6 @@ code=0
 printf '%s\n' "${files[@]}" | nice -n 19 xargs -P "$(nproc)" -n 1 clang-tidy -p $build --quiet \
   --checks=-bugprone-suspicious-include --header-filter="$PWD/(src|include|examples|tools|tests|bench|python)/.*" \
   --extra-arg=-DHWY_COMPILE_ONLY_STATIC >"$said" 2>&1 || code=$?
-grep -E '(warning|error): ' "$said" | sort -u && exit 1
+remarks=$(grep -E '(warning|error): ' "$said" | sort -u)
+[ -z "$remarks" ] || { echo "$remarks"; exit 1; }
 [ $code -eq 0 ] || { tail -n 5 "$said" >&2; exit $code; }
