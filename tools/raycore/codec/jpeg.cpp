@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "codec/limits.h"
+#include "codec/rgb.h"
 
 namespace rc::tool {
 namespace {
@@ -143,9 +144,7 @@ std::optional<Image> decodeJpeg(const std::string &bytes, const std::string &nam
 }
 
 std::string encodeJpeg(const Image &image) {
-  std::vector<uint8_t> rgb;
-  rgb.reserve(image.rgba.size() / 4 * 3);
-  for (size_t i = 0; i < image.rgba.size(); i += 4) rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
+  std::vector<uint8_t> rgb = rgbOf(image);
   JpegEncoder encoder;
   if (!encoder.write(rgb.data(), image.width, image.height)) reject("JPEG: {}", encoder.error());
   return encoder.bytes();

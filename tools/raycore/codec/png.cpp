@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "codec/limits.h"
+#include "codec/rgb.h"
 
 namespace rc::tool {
 namespace {
@@ -100,9 +101,7 @@ Image decodePng(const std::string &bytes, const std::string &name) {
 }
 
 void writePng(const Image &image, const std::string &file, const std::string &name) {
-  std::vector<uint8_t> rgb;
-  rgb.reserve(image.rgba.size() / 4 * 3);
-  for (size_t i = 0; i < image.rgba.size(); i += 4) rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
+  const std::vector<uint8_t> rgb = rgbOf(image);
   png_image png = newImage();
   png.width = png_uint_32(image.width);
   png.height = png_uint_32(image.height);
