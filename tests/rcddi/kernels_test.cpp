@@ -127,6 +127,71 @@ INSTANTIATE_TEST_SUITE_P(Rays, Kernels,
                            return nameOf(std::get<RayKind>(test.param)) + nameOf(std::get<AccelKind>(test.param));
                          });
 
+// Six walls of the cube from -1 to 1, of n x n squares each, and panels from wall to wall.
+Triangles room(int n) {
+  Triangles triangles;
+  const auto add = [&](int cells, const Vec3 &corner, const Vec3 &u, const Vec3 &v) {
+    for (const auto &t : gridSurface(cells, [&](float a, float b) { return corner + a * u + b * v; })) {
+      triangles.push_back(t);
+    }
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 u(0), v(0), w(0);
+    u[(axis + 1) % 3] = v[(axis + 2) % 3] = w[axis] = 2;
+    add(n, Vec3(-1), u, v);
+    add(n, Vec3(-1) + w, u, v);
+    add(1, Vec3(-1) + 0.6f * w + 0.7f * u, 0.15f * u + 0.05f * w, v);
+  }
+  return triangles;
+}
+
+// Where a ray from within leaves that cube.
+float exitOf(const Ray &ray, float scale) {
+  float t = kInfinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float wall = std::copysign(scale, ray.direction[axis]);
+    t = std::min(t, (wall - ray.origin[axis]) / ray.direction[axis]);
+  }
+  return t;
+}
+
+// A group of rays from a point, about a direction.
+std::vector<Ray> fan(const Vec3 &origin, const Vec3 &direction, float width) {
+  const Vec3 u = glm::normalize(glm::cross(direction, Vec3(0.3f, 0.5f, -0.7f))), v = glm::cross(direction, u);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 256; ++i) {
+    const int block = i / 16, x = block % 4 * 4 + i % 4, y = block / 4 * 4 + i / 4 % 4;
+    rays.push_back({origin, direction + width * ((float(x) / 16 - 0.5f) * u + (float(y) / 16 - 0.5f) * v)});
+  }
+  return rays;
+}
+
+// From within: triangles on both sides of where rays meet, an eye or a light, which may touch them.
+TEST(KernelRooms, EyesAndLightsAmidWalls) {
+  for (const float scale : {1e-6f, 1.0f, 1e6f}) {
+    Triangles triangles = room(2);
+    for (HotTriangle &t : triangles) t = triangle(scale * t.v0, scale * t.v1, scale * t.v2);
+    TestScene scene(triangles);
+    const SceneView view = scene.update();
+    SceneView plain = view;
+    plain.geometry[0].accel = {};
+    for (const Vec3 &place : {Vec3(0.1f, 0.2f, -0.3f), Vec3(0.999f, 0.1f, 0), Vec3(0.2f, 0.9999999f, 0.3f),
+                              Vec3(-1, 0.3f, 0.2f), Vec3(1, 1, 0.5f), Vec3(0.5f, 0.3f, 0.4f)}) {
+      std::vector<Ray> out, in;
+      for (const Vec3 &about : {Vec3(1, 0.2f, 0.1f), Vec3(-0.9f, 0.3f, 0.2f), Vec3(0.1f, 1, 0.1f), Vec3(0.2f, -1, 0.4f),
+                                Vec3(0, 0, 1), Vec3(0.3f, 0.2f, -1)}) {
+        for (const Ray &ray : fan(scale * place, about, 0.3f)) {
+          out.push_back(ray);
+          const Vec3 from = ray.origin + 0.999f * exitOf(ray, scale) * ray.direction;
+          in.push_back({from, ray.origin - from});
+        }
+      }
+      compareHits(view, plain, out);
+      for (const float end : {0.999f, 1.0f, 1.0005f, 1.5f}) compareBlocked(view, plain, in, end);
+    }
+  }
+}
+
 // Numbers beyond what margins cover: the scalar unit takes over.
 TEST(KernelLimits, HugeAndTinyNumbers) {
   Triangles triangles = soup(50, 8);

@@ -26,12 +26,16 @@ struct alignas(64) Batch {
   int kx, ky, kz;
   bool inPlace;                           // the batch is a whole group
   bool common;                            // all rays have one origin
+  float zSign;                            // of the directions
+  float size;                             // the largest absolute coordinate of origins: what rounding errors grow with
+  float slowest, fastest;                 // of the directions, along z
+  float start, end;                       // where the first ray starts and the last one ends, along zSign * z
   const float *origin[3], *direction[3];  // in world axes
   alignas(64) float sx[kBatchRays], sy[kBatchRays], sz[kBatchRays];
   float t[kBatchRays];  // of the best hit, or how far to look; -infinity: needs no more
   float u[kBatchRays], v[kBatchRays];
   uint32_t primitive[kBatchRays];
-  uint32_t index[kBatchRays];    // of the ray in the group, if the batch is not in place
+  const uint32_t *index;         // of the ray in the group, if the batch is not in place
   size_t first;                  // of the group in the stream
   FilterHits *filters;           // where rays that ask what blocks them cross filters; may be null
   float columns[6][kBatchRays];  // what origin and direction point to, if not into the stream
@@ -64,38 +68,49 @@ HWY_INLINE bool classify(const RayStream &rays, size_t first, size_t count, int3
   return hn::AllTrue(di, same);
 }
 
-// Whether a column has one value.
-HWY_INLINE bool isUniform(const float *column, size_t count) {
-  const D16 d;
-  const auto first = hn::Set(d, column[0]);
-  auto same = hn::Eq(first, first);
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) same = hn::And(same, hn::Eq(hn::LoadU(d, column + i), first));
-  return hn::AllTrue(d, same);
-}
-
 // Everything but the pointers to the columns and index. tMax: null for rays without end.
+template <bool kAny>
 HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax) {
   const D16 d;
   const hn::RebindToUnsigned<D16> du;
+  using V = hn::Vec<D16>;
   batch.rays = rays;
   batch.packets = (rays + kPacketRays - 1) / kPacketRays;
   batch.kz = rayClass / 2;
   batch.kx = (batch.kz + 1) % 3;
   batch.ky = (batch.kx + 1) % 3;
   if (rayClass & 1) std::swap(batch.kx, batch.ky);  // keeps the winding
-  const size_t count = batch.packets * kPacketRays;
-  batch.common =
-      isUniform(batch.origin[0], count) && isUniform(batch.origin[1], count) && isUniform(batch.origin[2], count);
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const auto z = hn::LoadU(d, batch.direction[batch.kz] + i);
-    hn::Store(hn::Div(hn::LoadU(d, batch.direction[batch.kx] + i), z), d, batch.sx + i);
-    hn::Store(hn::Div(hn::LoadU(d, batch.direction[batch.ky] + i), z), d, batch.sy + i);
-    hn::Store(hn::Div(hn::Set(d, 1.0f), z), d, batch.sz + i);
-    hn::Store(tMax ? hn::LoadU(d, tMax + i) : hn::Set(d, kInfinity), d, batch.t + i);
-    hn::Store(hn::Zero(d), d, batch.u + i);
-    hn::Store(hn::Zero(d), d, batch.v + i);
-    hn::Store(hn::Set(du, hal::kNoPrimitive), du, batch.primitive + i);
+  batch.zSign = rayClass & 1 ? -1.0f : 1.0f;
+  const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
+  const V x0 = hn::Set(d, ox[0]), y0 = hn::Set(d, oy[0]), z0 = hn::Set(d, oz[0]), sign = hn::Set(d, batch.zSign);
+  auto same = hn::Eq(x0, x0);
+  V size = hn::Zero(d), fastest = size, slowest = hn::Set(d, kInfinity), start = slowest, end = hn::Neg(slowest);
+  for (size_t i = 0; i < batch.packets * kPacketRays; i += hn::Lanes(d)) {
+    const V x = hn::LoadU(d, ox + i), y = hn::LoadU(d, oy + i), z = hn::LoadU(d, oz + i);
+    same = hn::And(same, hn::And(hn::Eq(x, x0), hn::And(hn::Eq(y, y0), hn::Eq(z, z0))));
+    size = hn::Max(size, hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z))));
+    const V direction = hn::LoadU(d, batch.direction[batch.kz] + i), speed = hn::Abs(direction);
+    slowest = hn::Min(slowest, speed);
+    fastest = hn::Max(fastest, speed);
+    hn::Store(hn::Div(hn::LoadU(d, batch.direction[batch.kx] + i), direction), d, batch.sx + i);
+    hn::Store(hn::Div(hn::LoadU(d, batch.direction[batch.ky] + i), direction), d, batch.sy + i);
+    hn::Store(hn::Div(hn::Set(d, 1.0f), direction), d, batch.sz + i);
+    const V t = tMax ? hn::LoadU(d, tMax + i) : hn::Set(d, kInfinity), depth = hn::Mul(z, sign);
+    hn::Store(t, d, batch.t + i);
+    start = hn::Min(start, depth);
+    end = hn::Max(end, hn::MulAdd(t, speed, depth));
+    if constexpr (!kAny) {
+      hn::Store(hn::Zero(d), d, batch.u + i);
+      hn::Store(hn::Zero(d), d, batch.v + i);
+      hn::Store(hn::Set(du, hal::kNoPrimitive), du, batch.primitive + i);
+    }
   }
+  batch.common = hn::AllTrue(d, same);
+  batch.size = hn::GetLane(hn::MaxOfLanes(d, size));
+  batch.slowest = hn::GetLane(hn::MinOfLanes(d, slowest));
+  batch.fastest = hn::GetLane(hn::MaxOfLanes(d, fastest));
+  batch.start = hn::GetLane(hn::MinOfLanes(d, start));
+  batch.end = hn::GetLane(hn::MaxOfLanes(d, end));
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

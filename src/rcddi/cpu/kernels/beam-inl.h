@@ -43,7 +43,15 @@ struct alignas(64) Beam {
   float all[kBounds];                  // of all packets
   float zSign, zOffset;                // depth = zSign * world + zOffset grows along the rays
   float xMeet, yMeet, xSlope, ySlope;  // where the rays meet at depth 0; the middle of their slopes
+  float side;                          // the sign of the depths at which rays lie, as far as that can be said
+  float rounding;                      // of coordinates from where the rays meet
   uint32_t packets;                    // a bit for each that takes part
+
+  // How far rays go by the point where they meet, and beyond it.
+  float reach() const {
+    const float by = 0.5f * std::max(all[kXUpper] - all[kXLower], all[kYUpper] - all[kYLower]);
+    return by + 2 * std::max(side < 0 ? all[kFar] : -all[kNear], 0.0f);
+  }
 };
 
 // A box by planes; z is depth.
@@ -71,16 +79,21 @@ HWY_INLINE hn::Mask<D> meets(D, BoxLanes<V> &box, const V (&beam)[kBounds]) {
   return hn::And(z, hn::And(x, y));
 }
 
-// The farthest depth that rays of a packet have still to look at.
+// The depths that the rays from i on have still to look at.
+HWY_INLINE hn::Vec<D16> endsOf(const Batch &batch, const Beam &beam, size_t i) {
+  const D16 d;
+  const auto start =
+      hn::MulAdd(hn::LoadU(d, batch.origin[batch.kz] + i), hn::Set(d, beam.zSign), hn::Set(d, beam.zOffset));
+  const auto speed = hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + i));
+  const auto length = hn::Mul(hn::Mul(hn::Load(d, batch.t + i), speed), hn::Set(d, 1 + hal::kSlack));
+  return hn::Add(start, length);
+}
+
 HWY_INLINE float farthest(const Batch &batch, const Beam &beam, size_t packet) {
   const D16 d;
   auto most = hn::Set(d, -kInfinity);
-  const auto sign = hn::Set(d, beam.zSign), offset = hn::Set(d, beam.zOffset);
   for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(d)) {
-    const auto start = hn::MulAdd(hn::LoadU(d, batch.origin[batch.kz] + i), sign, offset);
-    const auto speed = hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + i));
-    const auto length = hn::Mul(hn::Mul(hn::Load(d, batch.t + i), speed), hn::Set(d, 1 + hal::kSlack));
-    most = hn::Max(most, hn::Add(start, length));
+    most = hn::Max(most, endsOf(batch, beam, i));
   }
   return hn::GetLane(hn::MaxOfLanes(d, most));
 }

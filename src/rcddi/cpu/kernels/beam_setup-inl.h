@@ -14,17 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-// Smallest and largest value.
-template <class V>
-struct Range {
-  V least, most;
-
-  HWY_INLINE void add(V v) {
-    least = hn::Min(least, v);
-    most = hn::Max(most, v);
-  }
-};
-
 // Depth, by zSign alone, of the point that two rays of the range come closest to each other at. Nothing to gain: not
 // a number. (The first and the last ray of a tile are far apart.)
 inline float waist(const Batch &batch, float zSign, size_t i, size_t j) {
@@ -35,21 +24,6 @@ inline float waist(const Batch &batch, float zSign, size_t i, size_t j) {
   return -(bx * sx + by * sy) / (sx * sx + sy * sy);
 }
 
-struct DepthRange {
-  float start, end;  // by zSign alone
-};
-HWY_INLINE DepthRange depthRange(const Batch &batch, float zSign, size_t first, size_t last) {
-  const D16 d;
-  auto start = hn::Set(d, kInfinity), end = hn::Set(d, -kInfinity);
-  for (size_t i = first * kPacketRays; i < last * kPacketRays; i += hn::Lanes(d)) {
-    const auto z = hn::Mul(hn::LoadU(d, batch.origin[batch.kz] + i), hn::Set(d, zSign));
-    const auto speed = hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + i));
-    start = hn::Min(start, z);
-    end = hn::Max(end, hn::MulAdd(hn::Load(d, batch.t + i), speed, z));
-  }
-  return {hn::GetLane(hn::MinOfLanes(d, start)), hn::GetLane(hn::MaxOfLanes(d, end))};
-}
-
 // Puts depth 0 where the rays meet; if that is amid them, where the first one starts. Returns whether all rays lie
 // before it, as rays to a light do; if not, all lie behind.
 HWY_INLINE bool placeOrigin(const Batch &batch, float extent, Beam &beam) {
@@ -57,65 +31,104 @@ HWY_INLINE bool placeOrigin(const Batch &batch, float extent, Beam &beam) {
     beam.zOffset = -beam.zSign * batch.origin[batch.kz][0];
     return false;
   }
-  const DepthRange range = depthRange(batch, beam.zSign, 0, batch.packets);
   const float z = waist(batch, beam.zSign, 0, batch.rays - 1);
-  const bool useful = std::abs(z - range.start) < 64 * extent;  // beyond, rounding eats what is gained
-  beam.zOffset = useful ? -z : -range.start;
-  if (useful && z >= range.end - 1e-3f * (range.end - range.start)) return true;
-  if (useful && z > range.start) beam.zOffset = -range.start;
+  const bool useful = std::abs(z - batch.start) < 64 * extent;  // beyond, rounding eats what is gained
+  beam.zOffset = useful ? -z : -batch.start;
+  if (useful && z >= batch.end - 1e-3f * (batch.end - batch.start)) return true;
+  if (useful && z > batch.start) beam.zOffset = -batch.start;
   return false;
-}
-
-// The largest absolute coordinate of origins: what rounding errors grow with.
-HWY_INLINE float magnitude(const Batch &batch, size_t first, size_t last) {
-  const D16 d;
-  auto most = hn::Zero(d);
-  const size_t begin = first * kPacketRays, end = batch.common ? begin + kPacketRays : last * kPacketRays;
-  for (const float *column : batch.origin) {
-    for (size_t i = begin; i < end; i += hn::Lanes(d)) most = hn::Max(most, hn::Abs(hn::LoadU(d, column + i)));
-  }
-  return hn::GetLane(hn::MaxOfLanes(d, most));
 }
 
 // What the rays of each packet lie between: slopes, offsets at depth 0, depths where they start and end.
 struct alignas(64) Hulls {
-  float xSlope[2][kPackets], ySlope[2][kPackets], x[2][kPackets], y[2][kPackets], near[kPackets], far[kPackets];
+  float xSlope[2][kPackets], ySlope[2][kPackets], x[2][kPackets], y[2][kPackets], start[2][kPackets], end[2][kPackets];
 };
 
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void store(D d, const Range<V> &range, float (&out)[2][kPackets], size_t packet) {
-  out[0][packet] = hn::GetLane(hn::MinOfLanes(d, range.least));
-  out[1][packet] = hn::GetLane(hn::MaxOfLanes(d, range.most));
+#if HWY_TARGET == HWY_SCALAR  // vectors of one lane know no other
+// The best lane of each of four vectors. best: Min or Max.
+template <class D, class F, class V = hn::Vec<D>>
+HWY_INLINE void storeBest(D, F, const V (&v)[4], float *out) {
+  for (size_t k = 0; k < 4; ++k) out[k] = hn::GetLane(v[k]);
+}
+#else
+// The best of blocks of four lanes.
+template <class D, class F>
+HWY_INLINE void storeBestBlock(D d, F best, hn::Vec<D> v, float *out) {
+  if constexpr (hn::MaxLanes(d) > 4) {
+    const hn::Half<D> half;
+    storeBestBlock(half, best, best(hn::LowerHalf(half, v), hn::UpperHalf(half, v)), out);
+  } else {
+    hn::StoreU(v, d, out);
+  }
+}
+
+// The best lane of each of four vectors. best: Min or Max.
+template <class D, class F, class V = hn::Vec<D>>
+HWY_INLINE void storeBest(D d, F best, const V (&v)[4], float *out) {
+  const hn::Repartition<uint64_t, D> pairs;
+  const auto pair = [&](V a, V b) HWY_ATTR {
+    return hn::BitCast(pairs, best(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b)));
+  };
+  const auto first = pair(v[0], v[1]), second = pair(v[2], v[3]);
+  const V lower = hn::BitCast(d, hn::InterleaveLower(pairs, first, second));
+  storeBestBlock(d, best, best(lower, hn::BitCast(d, hn::InterleaveUpper(pairs, first, second))), out);
+}
+#endif
+
+// The smallest and the largest value among the rays of each packet. value(i): of the rays from i on.
+template <class F>
+HWY_INLINE void enclose(const Batch &batch, F value, float (&out)[2][kPackets]) {
+  const D16 d;
+  using V = hn::Vec<D16>;
+  for (size_t packet = 0; packet < batch.packets; packet += 4) {
+    V least[4], most[4];
+    for (size_t k = 0; k < 4; ++k) {
+      const size_t begin = std::min(packet + k, batch.packets - 1) * kPacketRays;
+      least[k] = most[k] = value(begin);
+      for (size_t i = hn::Lanes(d); i < kPacketRays; i += hn::Lanes(d)) {
+        const V v = value(begin + i);
+        least[k] = hn::Min(least[k], v);
+        most[k] = hn::Max(most[k], v);
+      }
+    }
+    storeBest(
+        d, [](auto a, auto b) HWY_ATTR { return hn::Min(a, b); }, least, out[0] + packet);
+    storeBest(
+        d, [](auto a, auto b) HWY_ATTR { return hn::Max(a, b); }, most, out[1] + packet);
+  }
+}
+
+inline void fill(float (&out)[2][kPackets], float value) {
+  for (auto &row : out) std::fill(std::begin(row), std::end(row), value);
 }
 
 // endless: no ray has an end yet.
-HWY_INLINE void enclose(const Batch &batch, const Beam &beam, size_t packet, bool endless, Hulls &out) {
+HWY_INLINE void enclose(const Batch &batch, const Beam &beam, bool endless, Hulls &out) {
   const D16 d;
-  using V = hn::Vec<D16>;
-  const V none = hn::Set(d, kInfinity), sign = hn::Set(d, beam.zSign);
-  Range<V> sx{none, hn::Neg(none)}, sy = sx, cx = sx, cy = sx, start = sx;
-  for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(d)) {
-    const V slopeX = hn::Mul(hn::Load(d, batch.sx + i), sign), slopeY = hn::Mul(hn::Load(d, batch.sy + i), sign);
-    sx.add(slopeX);
-    sy.add(slopeY);
-    if (batch.common) continue;
-    const V z = hn::MulAdd(hn::LoadU(d, batch.origin[batch.kz] + i), sign, hn::Set(d, beam.zOffset));
-    start.add(z);
-    cx.add(hn::NegMulAdd(slopeX, z, hn::LoadU(d, batch.origin[batch.kx] + i)));
-    cy.add(hn::NegMulAdd(slopeY, z, hn::LoadU(d, batch.origin[batch.ky] + i)));
-  }
-  store(d, sx, out.xSlope, packet);
-  store(d, sy, out.ySlope, packet);
-  out.far[packet] = endless ? kFarthest : farthest(batch, beam, packet);
+  const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
+  const auto sign = hn::Set(d, beam.zSign), offset = hn::Set(d, beam.zOffset);
+  const auto xSlope = [&](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, batch.sx + i), sign); };
+  const auto ySlope = [&](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, batch.sy + i), sign); };
+  const auto start = [&](size_t i) HWY_ATTR { return hn::MulAdd(hn::LoadU(d, oz + i), sign, offset); };
+  enclose(batch, xSlope, out.xSlope);
+  enclose(batch, ySlope, out.ySlope);
   if (batch.common) {
-    out.x[0][packet] = out.x[1][packet] = batch.origin[batch.kx][0];
-    out.y[0][packet] = out.y[1][packet] = batch.origin[batch.ky][0];
-    out.near[packet] = 0;
-    return;
+    fill(out.x, ox[0]);
+    fill(out.y, oy[0]);
+    fill(out.start, 0);
+  } else {
+    const auto x = [&](size_t i) HWY_ATTR { return hn::NegMulAdd(xSlope(i), start(i), hn::LoadU(d, ox + i)); };
+    const auto y = [&](size_t i) HWY_ATTR { return hn::NegMulAdd(ySlope(i), start(i), hn::LoadU(d, oy + i)); };
+    enclose(batch, x, out.x);
+    enclose(batch, y, out.y);
+    enclose(batch, start, out.start);
   }
-  store(d, cx, out.x, packet);
-  store(d, cy, out.y, packet);
-  out.near[packet] = hn::GetLane(hn::MinOfLanes(d, start.least));
+  if (endless) {
+    fill(out.end, kFarthest);
+  } else {
+    enclose(
+        batch, [&](size_t i) HWY_ATTR { return endsOf(batch, beam, i); }, out.end);
+  }
 }
 
 constexpr float kSlopeMargin = 0x1p-20f;
@@ -128,7 +141,7 @@ HWY_INLINE void boundsOf(D d, const Hulls &hulls, size_t i, bool before, float m
   const V xLess = hn::Sub(load(hulls.xSlope[0]), slope), xMore = hn::Add(load(hulls.xSlope[1]), slope);
   const V yLess = hn::Sub(load(hulls.ySlope[0]), slope), yMore = hn::Add(load(hulls.ySlope[1]), slope);
   // Rounding, or a light at hand, may lead rays beyond depth 0.
-  const V beyond = before ? hn::Max(load(hulls.far), hn::Zero(d)) : hn::Zero(d);
+  const V beyond = before ? hn::Max(load(hulls.end[1]), hn::Zero(d)) : hn::Zero(d);
   const V xMargin = hn::MulAdd(beyond, hn::Sub(xMore, xLess), wide);
   const V yMargin = hn::MulAdd(beyond, hn::Sub(yMore, yLess), wide);
   out[kXUpper] = hn::Add(load(hulls.x[1]), xMargin);
@@ -139,8 +152,8 @@ HWY_INLINE void boundsOf(D d, const Hulls &hulls, size_t i, bool before, float m
   out[kXLowerSlope] = before ? xMore : xLess;
   out[kYUpperSlope] = before ? yLess : yMore;
   out[kYLowerSlope] = before ? yMore : yLess;
-  out[kNear] = hn::Sub(load(hulls.near), wide);
-  out[kFar] = hn::Min(hn::Add(load(hulls.far), wide), hn::Set(d, kFarthest));
+  out[kNear] = hn::Sub(load(hulls.start[0]), wide);
+  out[kFar] = hn::Min(hn::Add(load(hulls.end[1]), wide), hn::Set(d, kFarthest));
 }
 
 // The widest that packets get where most triangles are: how incoherent their rays are.
@@ -199,12 +212,14 @@ HWY_INLINE void makeBeam(const Batch &batch, const hal::AccelView &accel, float 
   const D16 d;
   using V = hn::Vec<D16>;
   const float extent = glm::length(accel.bounds.size());
-  beam.zSign = batch.direction[batch.kz][0] < 0 ? -1.0f : 1.0f;
+  beam.zSign = batch.zSign;
   const bool before = placeOrigin(batch, extent, beam);
-  const float margin = 0x1p-20f * std::max(std::abs(beam.zOffset), magnitude(batch, 0, batch.packets));
+  const float margin = 0x1p-20f * std::max(std::abs(beam.zOffset), batch.size);
   Hulls hulls;
   if (batch.packets < kPackets) hulls = {};
-  for (size_t p = 0; p < batch.packets; ++p) enclose(batch, beam, p, endless, hulls);
+  enclose(batch, beam, endless, hulls);
+  beam.side = before ? -1.0f : 1.0f;
+  beam.rounding = margin;
   beam.packets = 0;
   for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
     V bounds[kBounds];

@@ -102,7 +102,7 @@ HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &be
   for (size_t i = 0; i < leaves.count; ++i) lanes |= addBlock(*leaves.blocks[i], batch, i, triangles);
   for (size_t i = leaves.count; i < WaitingLeaves::kMost; ++i) clearQuarter(i, triangles);
   Outlines outlines;
-  outline(triangles, batch, beam, outlines);
+  outline(triangles, lanes, batch, beam, outlines);
   while (leaves.packets) {
     const uint32_t packet = nextBit(leaves.packets);
     const uint32_t seen = trianglesIn(outlines, beam, packet) & lanes;

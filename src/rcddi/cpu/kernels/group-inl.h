@@ -65,17 +65,9 @@ HWY_NOINLINE void traceWithUnit(const Geometry &geometry, Batch &batch) {
 }
 
 // Whether all numbers are so far from the limits of floats that no product of two overflows or vanishes.
-HWY_INLINE bool isTame(const Batch &batch, float extent) {
-  const D16 d;
-  auto most = hn::Zero(d), least = hn::Set(d, kInfinity);
-  for (size_t i = 0; i < batch.packets * kPacketRays; i += hn::Lanes(d)) {
-    const auto speed = hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + i));
-    most = hn::Max(most, speed);
-    least = hn::Min(least, speed);
-  }
+inline bool isTame(const Batch &batch, float extent) {
   constexpr float kLarge = 1e12f;
-  return hn::AllTrue(d, hn::And(hn::Lt(most, hn::Set(d, kLarge)), hn::Gt(least, hn::Set(d, 1 / kLarge)))) &&
-         extent < kLarge && magnitude(batch, 0, batch.packets) < kLarge;
+  return batch.fastest < kLarge && batch.slowest > 1 / kLarge && extent < kLarge && batch.size < kLarge;
 }
 
 template <bool kAny>
@@ -116,9 +108,15 @@ HWY_INLINE void deliverInPlace(const Batch &batch, hal::Hit *hits) {
   }
 }
 
+HWY_INLINE void deliverInPlace(const Batch &batch, uint8_t *HWY_RESTRICT blocked) {
+  const float *HWY_RESTRICT t = batch.t;
+  for (size_t i = 0; i < batch.rays; ++i) blocked[i] = t[i] == -kInfinity;
+}
+
 template <bool kAny>
 HWY_INLINE void deliver(const Batch &batch, hal::Hit *hits, uint8_t *blocked) {
   if constexpr (kAny) {
+    if (batch.inPlace) return deliverInPlace(batch, blocked + batch.first);
     for (size_t i = 0; i < batch.rays; ++i) blocked[batch.place(i)] = batch.t[i] == -kInfinity;
   } else {
     if (batch.inPlace) return deliverInPlace(batch, hits + batch.first);
@@ -138,16 +136,27 @@ HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, hal::Hit *
   deliver<kAny>(batch, hits, blocked);
 }
 
-// Copies the rays of a class into the batch's own columns; the last one fills the last packet.
-inline void gather(const RayStream &rays, const int32_t *classes, size_t count, int rayClass, const float *tMax,
-                   float *tColumn, Batch &batch, size_t &n) {
-  n = 0;
-  for (size_t i = 0; i < count; ++i) {
-    if (classes[i] == rayClass) batch.index[n++] = static_cast<uint32_t>(i);
+// The rays of a group in the order of their classes.
+struct Order {
+  uint32_t index[kBatchRays];
+  uint32_t begin[kClasses + 1] = {};
+
+  Order(const int32_t *classes, size_t count) {
+    for (size_t i = 0; i < count; ++i) ++begin[classes[i] + 1];
+    for (size_t c = 0; c < kClasses; ++c) begin[c + 1] += begin[c];
+    uint32_t next[kClasses];
+    std::copy_n(begin, kClasses, next);
+    for (size_t i = 0; i < count; ++i) index[next[classes[i]]++] = static_cast<uint32_t>(i);
   }
-  const size_t padded = (n + kPacketRays - 1) / kPacketRays * kPacketRays;
+};
+
+// Copies rays into the batch's own columns; the last one fills the last packet.
+inline void gather(const RayStream &rays, const uint32_t *index, size_t count, const float *tMax, float *tColumn,
+                   Batch &batch) {
+  batch.index = index;
+  const size_t padded = (count + kPacketRays - 1) / kPacketRays * kPacketRays;
   for (size_t i = 0; i < padded; ++i) {
-    const size_t from = batch.first + batch.index[std::min(i, n - 1)];
+    const size_t from = batch.first + index[std::min(i, count - 1)];
     for (int axis = 0; axis < 3; ++axis) {
       batch.columns[axis][i] = rays.origin[axis][from];
       batch.columns[3 + axis][i] = rays.direction[axis][from];
@@ -173,7 +182,7 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
       batch.origin[axis] = rays.origin[axis] + first;
       batch.direction[axis] = rays.direction[axis] + first;
     }
-    setUp(batch, count, classes[0], tMax ? tMax + first : nullptr);
+    setUp<kAny>(batch, count, classes[0], tMax ? tMax + first : nullptr);
     return traceClass<kAny>(scene, batch, hits, blocked);
   }
   if (count % kPacketRays) {
@@ -183,12 +192,13 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
       classes[i] = 2 * s.kz + (s.kx != (s.kz + 1) % 3);
     }
   }
+  const Order order(classes, count);
   alignas(64) float tColumn[kBatchRays];
-  for (int rayClass = 0; rayClass < int(kClasses); ++rayClass) {
-    size_t n = 0;
-    gather(rays, classes, count, rayClass, tMax, tColumn, batch, n);
+  for (size_t rayClass = 0; rayClass < kClasses; ++rayClass) {
+    const uint32_t begin = order.begin[rayClass], n = order.begin[rayClass + 1] - begin;
     if (n == 0) continue;
-    setUp(batch, n, rayClass, tMax ? tColumn : nullptr);
+    gather(rays, order.index + begin, n, tMax, tColumn, batch);
+    setUp<kAny>(batch, n, int(rayClass), tMax ? tColumn : nullptr);
     traceClass<kAny>(scene, batch, hits, blocked);
   }
 }

@@ -40,9 +40,10 @@ struct Seen {
   V x, y, z;
 };
 
-// What of three corners the outline is. All depths must have one sign; where they do not, everything overlaps.
+// What of three corners the outline is. All depths must have one sign. Returns where they do not, or where the numbers
+// do not suffice: there everything overlaps.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE void setOutline(D d, const Seen<V> (&seen)[3], V (&out)[kOutlineBounds]) {
+HWY_INLINE hn::Mask<D> setOutline(D d, const Seen<V> (&seen)[3], V (&out)[kOutlineBounds]) {
   const auto &[a, b, c] = seen;
   const V front = hn::Min(hn::Min(a.z, b.z), c.z), back = hn::Max(hn::Max(a.z, b.z), c.z);
   const V closest = hn::Max(front, hn::Neg(back));
@@ -80,9 +81,46 @@ HWY_INLINE void setOutline(D d, const Seen<V> (&seen)[3], V (&out)[kOutlineBound
                          kEdges + 3ul, kEdges + 4ul, kEdges + 6ul, kEdges + 7ul}) {
     out[k] = hn::IfThenElseZero(oneSide, out[k]);
   }
+  return hn::Not(oneSide);
 }
 
-HWY_INLINE void outline(const TriangleLanes &triangles, const Batch &batch, const Beam &beam, Outlines &out) {
+// Triangles on both sides of depth 0, such as walls beside a light, have no outline in slopes. But the planes through
+// their edges and the point where rays meet bound what is seen of them: the half of the triangle's plane that lies
+// before the rays tells which side of each is inside. (x, y, z): corners from that point, along the middle of the beam.
+// side: the sign of the depths at which rays lie. reach: how far from that point, at most, rays go by it or beyond it.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void setPlanes(D d, hn::Mask<D> where, const Corner<V> (&corners)[3], float side, float reach,
+                          float rounding, V (&out)[kOutlineBounds]) {
+  V size = hn::Zero(d);
+  for (const auto &[x, y, z] : corners) size = hn::Max(size, hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z)));
+  Corner<V> planes[3];
+  for (size_t k = 0; k < 3; ++k) {
+    const Corner<V> &from = corners[k], &to = corners[(k + 1) % 3];
+    planes[k] = {hn::Sub(hn::Mul(from.y, to.z), hn::Mul(from.z, to.y)),
+                 hn::Sub(hn::Mul(from.z, to.x), hn::Mul(from.x, to.z)),
+                 hn::Sub(hn::Mul(from.x, to.y), hn::Mul(from.y, to.x))};
+  }
+  const auto &[p, q, r] = planes;
+  const V volume = hn::MulAdd(p.x, corners[2].x, hn::MulAdd(p.y, corners[2].y, hn::Mul(p.z, corners[2].z)));
+  const V normal = hn::Add(hn::Add(hn::Abs(hn::Add(hn::Add(p.x, q.x), r.x)), hn::Abs(hn::Add(hn::Add(p.y, q.y), r.y))),
+                           hn::Abs(hn::Add(hn::Add(p.z, q.z), r.z)));
+  const V error = hn::MulAdd(size, hn::Set(d, 0x1p-20f), hn::Set(d, rounding));  // of coordinates
+  const V volumeError =
+      hn::MulAdd(normal, hn::Set(d, reach), hn::Mul(hn::Mul(size, size), hn::Mul(error, hn::Set(d, 64.0f))));
+  const V edgeError = hn::Mul(hn::Mul(size, hn::Set(d, 24.0f)), hn::Add(error, hn::Set(d, reach)));
+  const auto sure = hn::And(where, hn::And(hn::Gt(hn::Abs(volume), volumeError), hn::Lt(edgeError, hn::Set(d, 1e30f))));
+  const V sign = hn::CopySignToAbs(hn::Set(d, 1.0f), hn::Mul(volume, hn::Set(d, side)));
+  for (size_t k = 0; k < 3; ++k) {
+    V *edge = out + kEdges + 3 * k;
+    edge[0] = hn::IfThenElse(sure, hn::Mul(planes[k].x, sign), edge[0]);
+    edge[1] = hn::IfThenElse(sure, hn::Mul(planes[k].y, sign), edge[1]);
+    edge[2] = hn::IfThenElse(sure, hn::MulAdd(planes[k].z, sign, edgeError), edge[2]);
+  }
+}
+
+// there: the lanes that hold a triangle.
+HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Batch &batch, const Beam &beam,
+                        Outlines &out) {
   const D16 d;
   using V = hn::Vec<D16>;
   const int axes[3] = {batch.kx, batch.ky, batch.kz};
@@ -101,7 +139,17 @@ HWY_INLINE void outline(const TriangleLanes &triangles, const Batch &batch, cons
       seen[v].y = hn::MulSub(y, inverse, hn::Set(d, beam.ySlope));
     }
     V bounds[kOutlineBounds];
-    setOutline(d, seen, bounds);
+    const auto open = setOutline(d, seen, bounds);
+    if (bitsOf(d, open) & there >> i) {
+      Corner<V> corners[3];
+      for (size_t v = 0; v < 3; ++v) {
+        const V x = hn::Sub(hn::Load(d, triangles.corners[v][0] + i), xMeet);
+        const V y = hn::Sub(hn::Load(d, triangles.corners[v][1] + i), yMeet);
+        corners[v] = {hn::NegMulAdd(hn::Set(d, beam.xSlope), seen[v].z, x),
+                      hn::NegMulAdd(hn::Set(d, beam.ySlope), seen[v].z, y), seen[v].z};
+      }
+      setPlanes(d, open, corners, beam.side, beam.reach(), beam.rounding, bounds);
+    }
     for (size_t k = 0; k < kOutlineBounds; ++k) hn::Store(bounds[k], d, out.bounds[k] + i);
   }
 }
