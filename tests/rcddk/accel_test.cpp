@@ -204,22 +204,22 @@ TEST(FrameBvh, GivesTheSameHitsOnAnyNumberOfThreads) {
   EXPECT_GT(expectSame(hits, truth, "BVH of a frame"), 1000u);
 }
 
-// Five triangles in one place, more than a leaf holds, have a node of their own at each corner of a lattice.
+// 65 triangles in one place, eight times eight and one, take a node for each eight at each corner of a lattice.
 TEST(FrameBvh, MayHaveMoreNodesThanItReserves) {
-  Triangles fives;
+  Triangles crowds;
   for (int i = 0; i < 64; ++i) {
     const Vec3 corner = Vec3(i % 4, i / 4 % 4, i / 16) / 2.0f - 0.75f;
-    fives.insert(fives.end(), 5, triangle(corner, corner + Vec3(0.2f, 0, 0), corner + Vec3(0, 0.2f, 0.1f)));
+    crowds.insert(crowds.end(), 65, triangle(corner, corner + Vec3(0.2f, 0, 0), corner + Vec3(0, 0.2f, 0.1f)));
   }
   const std::vector<Ray> rays = randomRays(2000, 8);
-  TestScene scene(fives);
+  TestScene scene(crowds);
   scene.accel = {};
   scene.accel.kind = AccelKind::Bvh;
-  ddk::buildMorton(fives, Workers(1), scene.accel);
-  EXPECT_GT(scene.accel.bvhNodes.size(), fives.size() / 8 + 8);
+  ddk::buildMorton(crowds, Workers(1), scene.accel);
+  EXPECT_GT(scene.accel.bvhNodes.size(), crowds.size() / 8 + 8);
   std::vector<Hit> hits(rays.size());
   createDevice("cpu", 1)->intersect(scene.update(), rays, hits);
-  EXPECT_GT(expectSame(hits, hitsWith(AccelKind::Exhaustive, fives, rays), "BVH of a frame"), 100u);
+  EXPECT_GT(expectSame(hits, hitsWith(AccelKind::Exhaustive, crowds, rays), "BVH of a frame"), 100u);
 }
 
 // The hits in a scene whose triangles are swapped for moved ones and whose tree is fitted to them.

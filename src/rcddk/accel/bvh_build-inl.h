@@ -3,8 +3,9 @@
 //
 // bvh_build-inl.h: triangles to a BVH of eight children a node, top down by the binned surface area heuristic.
 // Wald: "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007; a node's largest child is split until
-// it has eight (Wald, Benthin, Boulos: "Getting Rid of Packets", RT 2008). Compiled for each instruction set; no
-// operation is fused, so that all of them build the same tree. Trees that live long cut triangles where that pays.
+// it has eight (Wald, Benthin, Boulos: "Getting Rid of Packets", RT 2008); near the leaves the best nodes are chosen.
+// Compiled for each instruction set; no operation is fused, so that all of them build the same tree. Trees that live
+// long cut triangles where that pays.
 #if defined(RAYCORE_BVH_BUILD_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_BVH_BUILD_INL
 #undef RAYCORE_BVH_BUILD_INL
@@ -12,6 +13,7 @@
 #define RAYCORE_BVH_BUILD_INL
 #endif
 
+#include "rcddk/accel/bvh_pack.h"
 #include "rcddk/accel/bvh_spatial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,6 +42,9 @@ class Builder {
   // Smaller overlaps of halves cost rays less than looking for planes costs: shares of the surface of the scene, and of
   // the range. Measured with bench/build and bench/trace: meshes, which gain nothing, look for planes at the top alone.
   static constexpr float kOverlapOfScene = 0.01f, kOverlapOfRange = 0.3f;
+  // So few references are divided down to their leaves before nodes are made of them. More make hardly a difference.
+  static constexpr size_t kPacked = 256;
+  static constexpr float kNodeCost = 0.03f;  // of a node besides the rays that meet it, as a share of their box
   static constexpr int kBalancedDepth = 24;  // from here on halves, so that no path gets too long
 
   Box8 centresOf(const Range &range) const {
@@ -59,6 +64,7 @@ class Builder {
 
   // Appends the subtree of the range and returns its node.
   uint32_t node(const Range &range, int depth, BvhPieces &out) {
+    if (range.count() > hal::TriangleBlock4::kWidth && range.count() <= kPacked) return packed(range, depth, out);
     Range children[kWidth];
     const uint32_t count = divide(range, depth, children);
     const auto place = static_cast<uint32_t>(out.nodes.size());
@@ -78,7 +84,40 @@ class Builder {
   }
 
   uint32_t subtree(const Range &range, int depth, BvhPieces &out) {
-    if (range.count() > hal::TriangleBlock4::kWidth) return node(range, depth + 1, out);
+    return range.count() > hal::TriangleBlock4::kWidth ? node(range, depth + 1, out) : leaf(range, out);
+  }
+
+  // The same for a range so small that it is divided down to its leaves first.
+  uint32_t packed(const Range &range, int depth, BvhPieces &out) {
+    Array<Range> ranges{range};
+    BinaryTree tree;
+    tree.add(range.box.halfArea(), depth);
+    for (uint32_t n = 0; n < ranges.size(); ++n) {
+      if (ranges[n].count() <= hal::TriangleBlock4::kWidth) continue;
+      Range left, right;
+      split(ranges[n], tree.depthOf(n), left, right);
+      tree.divide(n, left.box.halfArea(), right.box.halfArea());
+      ranges.push_back(left);
+      ranges.push_back(right);
+    }
+    tree.pack(kNodeCost * range.box.halfArea());
+    return append(tree, ranges, 0, out);
+  }
+
+  uint32_t append(const BinaryTree &tree, std::span<const Range> ranges, uint32_t node, BvhPieces &out) {
+    if (tree.isLeaf(node)) return leaf(ranges[node], out);
+    uint32_t children[kWidth];
+    const uint32_t count = tree.childrenOf(node, children);
+    const auto place = static_cast<uint32_t>(out.nodes.size());
+    out.nodes.emplace_back();
+    for (uint32_t i = 0; i < kWidth; ++i) {
+      const uint32_t name = i < count ? append(tree, ranges, children[i], out) : 0;
+      setChild(out.nodes[place], i, i < count ? ranges[children[i]].box.bounds() : Bounds(), name);
+    }
+    return place;
+  }
+
+  uint32_t leaf(const Range &range, BvhPieces &out) {
     out.blocks.push_back(makeBlock(mReferences.subspan(range.begin, range.count()), mTriangles));
     return static_cast<uint32_t>(out.blocks.size() - 1) | hal::BvhNode8::kLeaf;
   }

@@ -21,7 +21,7 @@ Array<BuildReference> makeBuildReferences(std::span<const HotTriangle> triangles
 }
 
 void BvhPieces::reserve(size_t triangles) {
-  nodes.reserve(triangles / 14 + 8);
+  nodes.reserve(triangles / 16 + 8);
   blocks.reserve(triangles / 3 + 8);
 }
 

