@@ -15,6 +15,8 @@
 namespace rc::test {
 
 struct Columns {
+  static constexpr size_t kSlack = 15;  // values that may be read behind the last one
+
   std::vector<float> values[6];
 
   explicit Columns(std::span<const hal::Ray> rays) {
@@ -24,11 +26,12 @@ struct Columns {
         values[3 + axis].push_back(ray.direction[axis]);
       }
     }
+    for (auto &column : values) column.resize(rays.size() + kSlack);
   }
   ddi::cpu::RayStream stream() const {
     return {{values[0].data(), values[1].data(), values[2].data()},
             {values[3].data(), values[4].data(), values[5].data()},
-            values[0].size()};
+            values[0].size() - kSlack};
   }
 };
 

@@ -65,7 +65,7 @@ std::vector<Hit> crossings(const ddi::cpu::FilterHits &filters, size_t ray) {
 
 void compareBlocked(const SceneView &scene, const SceneView &plain, std::span<const Ray> rays, float tMax) {
   const Columns columns(rays);
-  const std::vector<float> ends(rays.size(), tMax);
+  const std::vector<float> ends(rays.size() + Columns::kSlack, tMax);
   std::vector<uint8_t> truth(rays.size());
   std::vector<std::vector<Hit>> crossed(rays.size());
   for (size_t i = 0; i < rays.size(); ++i) {

@@ -13,6 +13,7 @@
 
 namespace rc::ddi::cpu {
 
+// Columns, tMax of findBlocked() too, can be read up to a multiple of 16.
 struct RayStream {
   std::array<const float *, 3> origin, direction;
   size_t count;

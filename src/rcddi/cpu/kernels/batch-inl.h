@@ -19,7 +19,8 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 constexpr size_t kPacketRays = 16;
 constexpr size_t kPackets = 16;
 constexpr size_t kBatchRays = kPacketRays * kPackets;
-constexpr size_t kClasses = 6;  // largest component, twice, plus 1 if negative
+constexpr size_t kRoom = kBatchRays + kPacketRays;  // a vector may be written behind the last ray
+constexpr size_t kClasses = 6;                      // largest component, twice, plus 1 if negative
 
 struct alignas(64) Batch {
   size_t rays, packets;
@@ -35,10 +36,11 @@ struct alignas(64) Batch {
   float t[kBatchRays];  // of the best hit, or how far to look; -infinity: needs no more
   float u[kBatchRays], v[kBatchRays];
   uint32_t primitive[kBatchRays];
-  const uint32_t *index;         // of the ray in the group, if the batch is not in place
-  size_t first;                  // of the group in the stream
-  FilterHits *filters;           // where rays that ask what blocks them cross filters; may be null
-  float columns[6][kBatchRays];  // what origin and direction point to, if not into the stream
+  size_t first;  // of the group in the stream
+  // If the batch is not in place: which rays of the group it has, and what origin and direction point to.
+  uint32_t index[kRoom];
+  float columns[6][kRoom];
+  FilterHits *filters;  // where rays that ask what blocks them cross filters; may be null
 
   hal::Ray ray(size_t i) const {
     return {{origin[0][i], origin[1][i], origin[2][i]}, {direction[0][i], direction[1][i], direction[2][i]}};
@@ -46,7 +48,8 @@ struct alignas(64) Batch {
   size_t place(size_t i) const { return first + (inPlace ? i : index[i]); }  // in the stream
 };
 
-// The class of each ray, with the same comparisons as ShearedRay. Returns whether all are the same.
+// The class of each ray, with the same comparisons as ShearedRay; -1 behind the last one. Returns whether all are the
+// same.
 HWY_INLINE bool classify(const RayStream &rays, size_t first, size_t count, int32_t *classes) {
   const D16 d;
   const hn::RebindToSigned<D16> di;
@@ -62,8 +65,9 @@ HWY_INLINE bool classify(const RayStream &rays, size_t first, size_t count, int3
                                      hn::IfThenElse(hn::RebindMask(di, isY), hn::Set(di, 2), hn::Set(di, 4)));
     const auto negative =
         hn::IfThenElse(hn::RebindMask(di, hn::Lt(largest, hn::Zero(d))), hn::Set(di, 1), hn::Zero(di));
-    hn::StoreU(hn::Or(axis, negative), di, classes + i);
-    same = hn::And(same, hn::Eq(hn::Or(axis, negative), hn::Set(di, classes[0])));
+    const auto there = hn::FirstN(di, count - i);
+    hn::StoreU(hn::IfThenElse(there, hn::Or(axis, negative), hn::Set(di, -1)), di, classes + i);
+    same = hn::And(same, hn::Eq(hn::LoadU(di, classes + i), hn::Set(di, classes[0])));
   }
   return hn::AllTrue(di, same);
 }

@@ -136,37 +136,41 @@ HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, hal::Hit *
   deliver<kAny>(batch, hits, blocked);
 }
 
-// The rays of a group in the order of their classes.
-struct Order {
-  uint32_t index[kBatchRays];
-  uint32_t begin[kClasses + 1] = {};
+// Packs the lanes of a mask behind the n values that a column of a batch has.
+HWY_INLINE void pack(const float *from, hn::Mask<D16> lanes, size_t n, float *column) {
+  const D16 d;
+  hn::StoreU(hn::Compress(hn::LoadU(d, from), lanes), d, column + n);
+}
 
-  Order(const int32_t *classes, size_t count) {
-    for (size_t i = 0; i < count; ++i) ++begin[classes[i] + 1];
-    for (size_t c = 0; c < kClasses; ++c) begin[c + 1] += begin[c];
-    uint32_t next[kClasses];
-    std::copy_n(begin, kClasses, next);
-    for (size_t i = 0; i < count; ++i) index[next[classes[i]]++] = static_cast<uint32_t>(i);
-  }
-};
-
-// Copies rays into the batch's own columns; the last one fills the last packet.
-inline void gather(const RayStream &rays, const uint32_t *index, size_t count, const float *tMax, float *tColumn,
-                   Batch &batch) {
-  batch.index = index;
-  const size_t padded = (count + kPacketRays - 1) / kPacketRays * kPacketRays;
-  for (size_t i = 0; i < padded; ++i) {
-    const size_t from = batch.first + index[std::min(i, count - 1)];
+// Copies the rays of a class into the batch's own columns, and the last one over the rest of its packet. Returns how
+// many.
+HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t count, int rayClass, const float *tMax,
+                         float *tColumn, Batch &batch) {
+  const D16 d;
+  const hn::RebindToSigned<D16> di;
+  const hn::RebindToUnsigned<D16> du;
+  size_t n = 0;
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto lanes = hn::RebindMask(d, hn::Eq(hn::LoadU(di, classes + i), hn::Set(di, rayClass)));
+    if (hn::AllFalse(d, lanes)) continue;
+    const size_t from = batch.first + i;
     for (int axis = 0; axis < 3; ++axis) {
-      batch.columns[axis][i] = rays.origin[axis][from];
-      batch.columns[3 + axis][i] = rays.direction[axis][from];
+      pack(rays.origin[axis] + from, lanes, n, batch.columns[axis]);
+      pack(rays.direction[axis] + from, lanes, n, batch.columns[3 + axis]);
     }
-    if (tMax) tColumn[i] = tMax[from];
+    if (tMax) pack(tMax + from, lanes, n, tColumn);
+    const auto index = hn::Iota(du, static_cast<uint32_t>(i));
+    hn::StoreU(hn::Compress(index, hn::RebindMask(du, lanes)), du, batch.index + n);
+    n += hn::CountTrue(d, lanes);
   }
+  const size_t rest = n % kPacketRays ? kPacketRays - n % kPacketRays : 0;
+  for (size_t k = 0; k < 6 && rest; ++k) std::fill_n(batch.columns[k] + n, rest, batch.columns[k][n - 1]);
+  if (tMax && rest) std::fill_n(tColumn + n, rest, tColumn[n - 1]);
   for (int axis = 0; axis < 3; ++axis) {
     batch.origin[axis] = batch.columns[axis];
     batch.direction[axis] = batch.columns[3 + axis];
   }
+  return n;
 }
 
 template <bool kAny>
@@ -176,7 +180,7 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
   Batch batch;
   batch.first = first;
   batch.filters = filters;
-  batch.inPlace = count % kPacketRays == 0 && classify(rays, first, count, classes);
+  batch.inPlace = classify(rays, first, count, classes) && count % kPacketRays == 0;
   if (batch.inPlace) {
     for (int axis = 0; axis < 3; ++axis) {
       batch.origin[axis] = rays.origin[axis] + first;
@@ -185,20 +189,11 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
     setUp<kAny>(batch, count, classes[0], tMax ? tMax + first : nullptr);
     return traceClass<kAny>(scene, batch, hits, blocked);
   }
-  if (count % kPacketRays) {
-    for (size_t i = 0; i < count; ++i) {
-      const hal::ShearedRay s(
-          {{}, {rays.direction[0][first + i], rays.direction[1][first + i], rays.direction[2][first + i]}});
-      classes[i] = 2 * s.kz + (s.kx != (s.kz + 1) % 3);
-    }
-  }
-  const Order order(classes, count);
-  alignas(64) float tColumn[kBatchRays];
-  for (size_t rayClass = 0; rayClass < kClasses; ++rayClass) {
-    const uint32_t begin = order.begin[rayClass], n = order.begin[rayClass + 1] - begin;
+  alignas(64) float tColumn[kRoom];
+  for (int rayClass = 0; rayClass < int(kClasses); ++rayClass) {
+    const size_t n = gather(rays, classes, count, rayClass, tMax, tColumn, batch);
     if (n == 0) continue;
-    gather(rays, order.index + begin, n, tMax, tColumn, batch);
-    setUp<kAny>(batch, n, int(rayClass), tMax ? tColumn : nullptr);
+    setUp<kAny>(batch, n, rayClass, tMax ? tColumn : nullptr);
     traceClass<kAny>(scene, batch, hits, blocked);
   }
 }
