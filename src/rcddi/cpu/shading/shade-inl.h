@@ -11,6 +11,8 @@
 #define RAYCORE_SHADING_SHADE_INL
 #endif
 
+#include <hwy/cache_control.h>
+
 #include "rcddi/cpu/shading/coverage-inl.h"
 #include "rcddi/cpu/shading/fog-inl.h"
 #include "rcddi/cpu/shading/footprint-inl.h"
@@ -187,8 +189,23 @@ HWY_INLINE void settle(const Shading &shading) {
   for (size_t i = 0; i < shading.scene.lights.size(); ++i) out.shadows[i].resize(out.shadows[i].size());
 }
 
+// Starts to fetch the triangles that were hit: when their vectors are shaded, they are there.
+HWY_INLINE void prefetchTriangles(const Shading &shading) {
+  uint32_t last = hal::kNoPrimitive;
+  for (size_t i = 0; i < shading.rays.size(); ++i) {
+    const uint32_t primitive = shading.hits[i].primitive;
+    if (primitive == last || primitive == hal::kNoPrimitive) continue;
+    last = primitive;
+    const auto [geometry, index] = hal::placeOf(shading.scene, primitive);
+    hwy::Prefetch(geometry.triangles.data() + index);
+    const auto *attributes = reinterpret_cast<const char *>(geometry.attributes.data() + index);
+    for (size_t line = 0; line < sizeof(hal::TriangleAttributes); line += 64) hwy::Prefetch(attributes + line);
+  }
+}
+
 HWY_INLINE void shadeBatch(const Shading &shading) {
   makeRoom(shading);
+  prefetchTriangles(shading);
   for (size_t first = 0; first < shading.rays.size(); first += lanes()) shadeVector(shading, first);
   settle(shading);
 }
