@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// soups [millions ...]: how much time of processors, all threads together, builds of hard soups take, and how much
-// memory they need at most, for each structure; by default for 1, 2 and 4 million triangles. Each build has a process
-// of its own.
+// soups [soup | millions ...]: how much time of processors, all threads together, builds of hard soups take, and how
+// much memory they need at most, for each structure; by default all soups of 1, 2 and 4 million triangles. Each build
+// has a process of its own.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "common/hard_soups.h"
 
@@ -53,12 +55,20 @@ void measure(const test::HardSoup &soup, const Structure &structure, size_t coun
 
 int main(int argc, char **argv) {
   std::vector<double> millions;
-  for (int i = 1; i < argc; ++i) millions.push_back(std::atof(argv[i]));
+  std::vector<std::string> names;
+  for (int i = 1; i < argc; ++i) {
+    if (std::atof(argv[i]) > 0) {
+      millions.push_back(std::atof(argv[i]));
+    } else {
+      names.emplace_back(argv[i]);
+    }
+  }
   if (millions.empty()) millions = {1, 2, 4};
   std::printf(
       "| soup | structure | triangles | processors | memory while building | structure |\n|---|---|---|---|---|---|\n");
   std::fflush(stdout);
   for (const test::HardSoup &soup : test::kHardSoups) {
+    if (!names.empty() && std::ranges::find(names, soup.name) == names.end()) continue;
     for (const Structure &structure : kStructures) {
       for (const double million : millions) {
         const pid_t child = fork();

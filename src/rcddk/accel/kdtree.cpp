@@ -4,6 +4,7 @@
 // kdtree.cpp: a KD-tree by the surface area heuristic, the guide's default structure.
 // Planes are chosen by min-max binning (Shevtsov, Soupikov, Kapustin: "Highly Parallel Fast KD-tree
 // Construction", 2007); triangles that a plane cuts go to both sides with boxes of their parts.
+#include <algorithm>
 #include <array>
 
 #include "rcddk/accel/cut.h"
@@ -66,7 +67,7 @@ class KdBuilder {
     }
     const size_t leftBudget = (budget - added) * left.size() / total, rightBudget = budget - added - leftBudget;
     const bool parallel = references.size() >= kParallelReferences;
-    references = {};
+    Array<Reference>().swap(references);  // = {} would keep its memory
     Bounds leftCell = cell, rightCell = cell;
     leftCell.upper[split.axis] = rightCell.lower[split.axis] = split.position;
 
@@ -138,10 +139,16 @@ class KdBuilder {
 
   void distribute(const Array<Reference> &references, const Split &split, Array<Reference> &left,
                   Array<Reference> &right) const {
+    const auto below = [&](const Reference &r) { return r.box.upper[split.axis] <= split.position; };
+    const auto above = [&](const Reference &r) { return !below(r) && r.box.lower[split.axis] >= split.position; };
+    const auto leftAlone = static_cast<size_t>(std::ranges::count_if(references, below));
+    const auto rightAlone = static_cast<size_t>(std::ranges::count_if(references, above));
+    left.reserve(references.size() - rightAlone);
+    right.reserve(references.size() - leftAlone);
     for (const Reference &reference : references) {
-      if (reference.box.upper[split.axis] <= split.position) {
+      if (below(reference)) {
         left.push_back(reference);
-      } else if (reference.box.lower[split.axis] >= split.position) {
+      } else if (above(reference)) {
         right.push_back(reference);
       } else {
         cutAndKeep(reference, split, left, right);
