@@ -54,6 +54,8 @@ struct alignas(64) Beam {
   }
 };
 
+constexpr float kSlopeMargin = 0x1p-20f;
+
 // A box by planes; z is depth.
 template <class V>
 struct BoxLanes {

@@ -131,8 +131,6 @@ HWY_INLINE void enclose(const Batch &batch, const Beam &beam, bool endless, Hull
   }
 }
 
-constexpr float kSlopeMargin = 0x1p-20f;
-
 // before: the rays lie at negative depths, where slopes count the other way round.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void boundsOf(D d, const Hulls &hulls, size_t i, bool before, float margin, V (&out)[kBounds]) {

@@ -136,11 +136,10 @@ HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, hal::Hit *
   deliver<kAny>(batch, hits, blocked);
 }
 
-// Packs the lanes of a mask behind the n values that a column of a batch has. Mostly there is nothing to pack.
-HWY_INLINE void pack(const float *from, hn::Mask<D16> lanes, bool all, size_t n, float *column) {
+// Packs the lanes of a mask behind the n values that a column of a batch has.
+HWY_INLINE void pack(const float *from, hn::Mask<D16> lanes, size_t n, float *column) {
   const D16 d;
-  const auto values = hn::LoadU(d, from);
-  hn::StoreU(all ? values : hn::Compress(values, lanes), d, column + n);
+  hn::StoreU(packed(d, hn::LoadU(d, from), lanes), d, column + n);
 }
 
 // Copies the rays of a class into the batch's own columns, and the last one over the rest of its packet. Returns how
@@ -155,14 +154,13 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
     const auto lanes = hn::RebindMask(d, hn::Eq(hn::LoadU(di, classes + i), hn::Set(di, rayClass)));
     if (hn::AllFalse(d, lanes)) continue;
     const size_t from = batch.first + i;
-    const bool all = hn::AllTrue(d, lanes);
     for (int axis = 0; axis < 3; ++axis) {
-      pack(rays.origin[axis] + from, lanes, all, n, batch.columns[axis]);
-      pack(rays.direction[axis] + from, lanes, all, n, batch.columns[3 + axis]);
+      pack(rays.origin[axis] + from, lanes, n, batch.columns[axis]);
+      pack(rays.direction[axis] + from, lanes, n, batch.columns[3 + axis]);
     }
-    if (tMax) pack(tMax + from, lanes, all, n, tColumn);
+    if (tMax) pack(tMax + from, lanes, n, tColumn);
     const auto index = hn::Iota(du, static_cast<uint32_t>(i));
-    hn::StoreU(hn::Compress(index, hn::RebindMask(du, lanes)), du, batch.index + n);
+    hn::StoreU(packed(du, index, hn::RebindMask(du, lanes)), du, batch.index + n);
     n += hn::CountTrue(d, lanes);
   }
   const size_t rest = n % kPacketRays ? kPacketRays - n % kPacketRays : 0;

@@ -27,7 +27,8 @@ enum OutlineBound {
   kFront,
   kBack,
   kEdges,
-  kOutlineBounds = kEdges + 9
+  kWide = kEdges + 9,  // the edges' c for single rays
+  kOutlineBounds = kWide + 3
 };
 
 struct alignas(64) Outlines {
@@ -118,7 +119,18 @@ HWY_INLINE void setPlanes(D d, hn::Mask<D> where, const Corner<V> (&corners)[3],
   }
 }
 
-// there: the lanes that hold a triangle.
+// The edges for single rays, which go by the point where they meet by `reach` at most.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void widenForRays(D d, float reach, V (&out)[kOutlineBounds]) {
+  const V room = hn::MulAdd(out[kCloseness], hn::Set(d, reach), hn::Set(d, kSlopeMargin));
+  for (size_t k = 0; k < 3; ++k) {
+    const V *edge = out + kEdges + 3 * k;
+    out[kWide + k] = hn::MulAdd(hn::Add(hn::Abs(edge[0]), hn::Abs(edge[1])), room, edge[2]);
+  }
+}
+
+// there: the lanes that hold a triangle. kAny: single rays ask too.
+template <bool kAny>
 HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Batch &batch, const Beam &beam,
                         Outlines &out) {
   const D16 d;
@@ -150,8 +162,32 @@ HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Ba
       }
       setPlanes(d, open, corners, beam.side, beam.reach(), beam.rounding, bounds);
     }
-    for (size_t k = 0; k < kOutlineBounds; ++k) hn::Store(bounds[k], d, out.bounds[k] + i);
+    if constexpr (kAny) widenForRays(d, beam.reach(), bounds);
+    for (size_t k = 0; k < (kAny ? kOutlineBounds : kWide); ++k) hn::Store(bounds[k], d, out.bounds[k] + i);
   }
+}
+
+// The slopes of rays relative to the middle of the beam's.
+struct SlopeLanes {
+  hn::Vec<D16> x, y;
+};
+HWY_INLINE SlopeLanes slopesOf(const Batch &batch, const Beam &beam, size_t i) {
+  const D16 d;
+  const auto sign = hn::Set(d, beam.zSign);
+  return {hn::MulSub(hn::Load(d, batch.sx + i), sign, hn::Set(d, beam.xSlope)),
+          hn::MulSub(hn::Load(d, batch.sy + i), sign, hn::Set(d, beam.ySlope))};
+}
+
+// Whether one of the rays may meet the triangle: its outline against each of them.
+HWY_INLINE bool mayMeet(const Outlines &outlines, size_t triangle, const SlopeLanes &slopes) {
+  const D16 d;
+  auto least = hn::Set(d, kInfinity);
+  for (size_t edge = kEdges; edge < kEdges + 9; edge += 3) {
+    const auto bound = [&](size_t k) HWY_ATTR { return hn::Set(d, outlines.bounds[edge + k][triangle]); };
+    const auto wide = hn::Set(d, outlines.bounds[kWide + (edge - kEdges) / 3][triangle]);
+    least = hn::Min(least, hn::MulAdd(bound(0), slopes.x, hn::MulAdd(bound(1), slopes.y, wide)));
+  }
+  return !hn::AllTrue(d, hn::Lt(least, hn::Zero(d)));
 }
 
 // Triangles whose outlines may have something in common with the window of a packet.
@@ -169,7 +205,7 @@ HWY_INLINE uint32_t trianglesIn(const Outlines &outlines, const Beam &beam, size
                         hn::Ge(outline(kBack), hn::Set(d, beam.bounds[kNear][packet])));
     both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline(kXCentre), xMiddle)), hn::Add(outline(kXReach), xHalf)));
     both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline(kYCentre), yMiddle)), hn::Add(outline(kYReach), yHalf)));
-    for (size_t edge = kEdges; edge < kOutlineBounds; edge += 3) {
+    for (size_t edge = kEdges; edge < kWide; edge += 3) {
       const V a = outline(edge), b = outline(edge + 1);
       const V middle = hn::MulAdd(a, xMiddle, hn::MulAdd(b, yMiddle, outline(edge + 2)));
       const V most = hn::MulAdd(hn::Abs(a), xHalf, hn::MulAdd(hn::Abs(b), yHalf, middle));

@@ -13,6 +13,7 @@
 
 #include <cstring>
 
+#include "rcddi/cpu/packed_lanes.h"
 #include "rchal/units/traversal.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -36,6 +37,22 @@ HWY_INLINE uint32_t bitsOf(D d, hn::Mask<D> mask) {
   uint32_t bits;
   std::memcpy(&bits, bytes, sizeof bits);
   return bits;
+}
+
+// The lanes of the mask first, in their order. As hn::Compress, which without AVX-512 copies its table onto the stack
+// for each vector (Highway 1.0.3 compiled by GCC).
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V packed(D d, V v, hn::Mask<D> mask) {
+#if HWY_TARGET == HWY_SCALAR
+  (void)d, (void)mask;
+  return v;
+#elif HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+  (void)d;
+  return hn::Compress(v, mask);
+#else
+  const auto places = hn::LoadU(hn::RebindToUnsigned<D>(), kPackedLanes[bitsOf(d, mask)].data());
+  return hn::TableLookupLanes(v, hn::IndicesFromVec(d, places));
+#endif
 }
 
 // 1 / direction, finite also where that is 0, as in hal::TraversalRay.

@@ -118,28 +118,17 @@ RC_STEP void loadRow(const float *const (&places)[kMostLanes], size_t offset, F 
 #endif
 }
 
-// Lanes that are added to a queue.
-struct Asked {
-  M lanes;
-  bool all;
-  size_t count;
-
-  HWY_INLINE explicit Asked(M mask) : lanes(mask), all(hn::AllTrue(FTag(), mask)), count(hn::CountTrue(FTag(), mask)) {}
-};
-
-// Packs them together behind the end of a column that has room for all. Mostly there is nothing to pack.
-HWY_INLINE void append(F value, const Asked &asked, size_t end, hal::Column<float> &column) {
-  if (!asked.all) value = hn::Compress(value, asked.lanes);
-  hn::StoreU(value, FTag(), column.data() + end);
+// Packs the lanes of a mask together behind the end of a column that has room for all.
+HWY_INLINE void append(F value, M mask, size_t end, hal::Column<float> &column) {
+  hn::StoreU(packed(FTag(), value, mask), FTag(), column.data() + end);
 }
-HWY_INLINE void append(U value, const Asked &asked, size_t end, hal::Column<uint32_t> &column) {
-  if (!asked.all) value = hn::Compress(value, hn::RebindMask(UTag(), asked.lanes));
-  hn::StoreU(value, UTag(), column.data() + end);
+HWY_INLINE void append(U value, M mask, size_t end, hal::Column<uint32_t> &column) {
+  hn::StoreU(packed(UTag(), value, hn::RebindMask(UTag(), mask)), UTag(), column.data() + end);
 }
-HWY_INLINE void append(const V3 &value, const Asked &asked, size_t end, hal::Vec3Column &column) {
-  append(value.x, asked, end, column.x);
-  append(value.y, asked, end, column.y);
-  append(value.z, asked, end, column.z);
+HWY_INLINE void append(const V3 &value, M mask, size_t end, hal::Vec3Column &column) {
+  append(value.x, mask, end, column.x);
+  append(value.y, mask, end, column.y);
+  append(value.z, mask, end, column.z);
 }
 
 // Adds to the sums of pixels. Mostly the pixels of a vector follow each other; else lane by lane, since several rays

@@ -51,16 +51,15 @@ HWY_INLINE V3 directionOf(const V3 &towards, F distance, const V3 &fallback) {
 HWY_INLINE bool isDark(const Rgb &colour) { return !(rc::maxComponent(colour) > 0); }
 
 RC_STEP size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour, U pixel,
-                              M lanes, hal::ShadowQueue &queue) {
-  const Asked asked(lanes);
-  const size_t end = queue.size();
+                              M asked, hal::ShadowQueue &queue) {
+  const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
   append(start(surface, direction), asked, end, queue.origin);
   append(direction, asked, end, queue.direction);
   append(colour, asked, end, queue.colour);
   append(distance, asked, end, queue.distance);
   append(pixel, asked, end, queue.pixel);
-  queue.pixel.resize(end + asked.count);
-  return asked.count;
+  queue.pixel.resize(end + count);
+  return count;
 }
 
 // Adds the light to `own` where no shadow can be; asks its queue elsewhere. Returns how many shadow rays that made.

@@ -17,8 +17,8 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 // A ray for each lane of the mask; the queue has room for a vector. Returns how many.
 RC_STEP size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight, F coneWidth, F coneSpread, F travelled,
-                        F tolerance, U pixel, const Asked &asked, hal::RayQueue &queue) {
-  const size_t end = queue.size();
+                        F tolerance, U pixel, M asked, hal::RayQueue &queue) {
+  const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
   append(origin, asked, end, queue.origin);
   append(direction, asked, end, queue.direction);
   append(weight, asked, end, queue.weight);
@@ -30,14 +30,13 @@ RC_STEP size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight,
   hn::StoreU(zero(), FTag(), queue.afterT.data() + end);
   hn::StoreU(hn::Set(UTag(), hal::kNoPrimitive), UTag(), queue.afterPrimitive.data() + end);
   hn::StoreU(hn::Zero(UTag()), UTag(), queue.afterSeen.data() + end);
-  queue.pixel.resize(end + asked.count);
-  return asked.count;
+  queue.pixel.resize(end + count);
+  return count;
 }
 
 // The same rays, for what lies behind these hits. weight: what is left for them.
 RC_STEP void goStraightOn(const Shading &shading, const RayLanes &rays, const V3 &weight, F tolerance, M seen,
-                          M lanes) {
-  const Asked asked(lanes);
+                          M asked) {
   const hal::RayQueue &from = shading.rays;
   hal::RayQueue &queue = shading.out.sameBounce;
   const size_t end = queue.size();
@@ -95,7 +94,7 @@ class Secondary {
   HWY_INLINE size_t bounce(const V3 &weight, const V3 &direction, F coneSpread, M traced) const {
     const V3 unit = normalizedOr(direction, mSurface.flatNormal);
     return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mTolerance,
-                    mRays.pixel, Asked(traced), mShading.out.nextBounce);
+                    mRays.pixel, traced, mShading.out.nextBounce);
   }
 
   const Shading &mShading;
