@@ -15,7 +15,7 @@
 namespace rc::test {
 
 struct Columns {
-  static constexpr size_t kSlack = 15;  // values that may be read behind the last one
+  static constexpr size_t kBehind = 15;  // values that may be read behind the last one
 
   std::vector<float> values[6];
 
@@ -26,12 +26,12 @@ struct Columns {
         values[3 + axis].push_back(ray.direction[axis]);
       }
     }
-    for (auto &column : values) column.resize(rays.size() + kSlack);
+    for (auto &column : values) column.resize(rays.size() + kBehind);
   }
   ddi::cpu::RayStream stream() const {
     return {{values[0].data(), values[1].data(), values[2].data()},
             {values[3].data(), values[4].data(), values[5].data()},
-            values[0].size() - kSlack};
+            values[0].size() - kBehind};
   }
 };
 

@@ -79,7 +79,7 @@ TEST(FilterHits, OfManyPanes) {
     onEachTarget([&] {
       FilterHits filters;
       filters.reset(3);
-      const float ends[3 + Columns::kSlack] = {100, 100, 100};
+      const float ends[3 + Columns::kBehind] = {100, 100, 100};
       uint8_t blocked[3];
       ddi::cpu::findBlocked(view, columns.stream(), ends, blocked, &filters);
       EXPECT_TRUE(filters.hasTooMany(0));

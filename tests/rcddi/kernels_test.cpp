@@ -65,7 +65,7 @@ std::vector<Hit> crossings(const ddi::cpu::FilterHits &filters, size_t ray) {
 
 void compareBlocked(const SceneView &scene, const SceneView &plain, std::span<const Ray> rays, float tMax) {
   const Columns columns(rays);
-  const std::vector<float> ends(rays.size() + Columns::kSlack, tMax);
+  const std::vector<float> ends(rays.size() + Columns::kBehind, tMax);
   std::vector<uint8_t> truth(rays.size());
   std::vector<std::vector<Hit>> crossed(rays.size());
   for (size_t i = 0; i < rays.size(); ++i) {
@@ -168,25 +168,30 @@ std::vector<Ray> fan(const Vec3 &origin, const Vec3 &direction, float width) {
 
 // From within: triangles on both sides of where rays meet, an eye or a light, which may touch them.
 TEST(KernelRooms, EyesAndLightsAmidWalls) {
-  for (const float scale : {1e-6f, 1.0f, 1e6f}) {
+  for (const float scale : {1e-10f, 1e-6f, 1.0f, 1e6f}) {
     Triangles triangles = room(2);
     for (HotTriangle &t : triangles) t = triangle(scale * t.v0, scale * t.v1, scale * t.v2);
     TestScene scene(triangles);
     const SceneView view = scene.update();
     SceneView plain = view;
     plain.geometry[0].accel = {};
+    SCOPED_TRACE(scale);
     for (const Vec3 &place : {Vec3(0.1f, 0.2f, -0.3f), Vec3(0.999f, 0.1f, 0), Vec3(0.2f, 0.9999999f, 0.3f),
                               Vec3(-1, 0.3f, 0.2f), Vec3(1, 1, 0.5f), Vec3(0.5f, 0.3f, 0.4f)}) {
-      std::vector<Ray> out, in;
+      std::vector<Ray> out, in, on;  // from the place, towards it, away from it: as if seen in a mirror
       for (const Vec3 &about : {Vec3(1, 0.2f, 0.1f), Vec3(-0.9f, 0.3f, 0.2f), Vec3(0.1f, 1, 0.1f), Vec3(0.2f, -1, 0.4f),
                                 Vec3(0, 0, 1), Vec3(0.3f, 0.2f, -1)}) {
         for (const Ray &ray : fan(scale * place, about, 0.3f)) {
           out.push_back(ray);
           const Vec3 from = ray.origin + 0.999f * exitOf(ray, scale) * ray.direction;
           in.push_back({from, ray.origin - from});
+          const float miss = out.size() % 3 ? 0.0f : 1e-3f * scale;  // or nearly from there
+          on.push_back({ray.origin + 0.2f * scale * ray.direction + Vec3(miss, 0, -miss), ray.direction});
         }
       }
       compareHits(view, plain, out);
+      compareHits(view, plain, on);
+      compareBlocked(view, plain, on, 10);
       for (const float end : {0.999f, 1.0f, 1.0005f, 1.5f}) compareBlocked(view, plain, in, end);
     }
   }
@@ -204,6 +209,20 @@ TEST(KernelLimits, HugeAndTinyNumbers) {
   for (size_t i = 0; i < rays.size(); i += 3) rays[i].direction *= 1e-15f;
   for (size_t i = 1; i < rays.size(); i += 3) rays[i].origin *= 1e14f;
   EXPECT_GT(compareHits(view, plain, rays), rays.size() / 20);
+}
+
+// A ray that is no number hits nothing, and spoils nothing for its neighbours.
+TEST(KernelLimits, RaysThatAreNoNumbers) {
+  TestScene scene(terrain(10));
+  const SceneView view = scene.update();
+  SceneView plain = view;
+  plain.geometry[0].accel = {};
+  for (int which = 0; which < 6; ++which) {
+    std::vector<Ray> rays = raysOf(RayKind::Camera, 256, view);
+    (which < 3 ? rays[37].origin : rays[37].direction)[which % 3] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_GT(compareHits(view, plain, rays), 10u);
+    compareBlocked(view, plain, rays, 5);
+  }
 }
 
 // Numbers of rays that fill neither packets nor groups.

@@ -87,7 +87,7 @@ class Builder {
     return range.count() > hal::TriangleBlock4::kWidth ? node(range, depth + 1, out) : leaf(range, out);
   }
 
-  // The same for a range so small that it is divided down to its leaves first.
+  // The same for a range so small that it is divided down to its leaves first. Depths count halves from here on.
   uint32_t packed(const Range &range, int depth, BvhPieces &out) {
     Array<Range> ranges{range};
     BinaryTree tree;

@@ -26,6 +26,7 @@ struct alignas(64) Batch {
   size_t rays, packets;
   int kx, ky, kz;
   bool inPlace;                           // the batch is a whole group
+  bool numbers;                           // there is no NaN: it would spoil the bounds of other rays
   bool common;                            // all rays have one origin
   float zSign;                            // of the directions
   float size;                             // the largest absolute coordinate of origins: what rounding errors grow with
@@ -87,7 +88,7 @@ HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax
   batch.zSign = rayClass & 1 ? -1.0f : 1.0f;
   const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
   const V x0 = hn::Set(d, ox[0]), y0 = hn::Set(d, oy[0]), z0 = hn::Set(d, oz[0]), sign = hn::Set(d, batch.zSign);
-  auto same = hn::Eq(x0, x0);
+  auto same = hn::Eq(x0, x0), numbers = same;
   V size = hn::Zero(d), fastest = size, slowest = hn::Set(d, kInfinity), start = slowest, end = hn::Neg(slowest);
   for (size_t i = 0; i < batch.packets * kPacketRays; i += hn::Lanes(d)) {
     const V x = hn::LoadU(d, ox + i), y = hn::LoadU(d, oy + i), z = hn::LoadU(d, oz + i);
@@ -96,11 +97,15 @@ HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax
     const V direction = hn::LoadU(d, batch.direction[batch.kz] + i), speed = hn::Abs(direction);
     slowest = hn::Min(slowest, speed);
     fastest = hn::Max(fastest, speed);
-    hn::Store(hn::Div(hn::LoadU(d, batch.direction[batch.kx] + i), direction), d, batch.sx + i);
-    hn::Store(hn::Div(hn::LoadU(d, batch.direction[batch.ky] + i), direction), d, batch.sy + i);
+    const V sx = hn::Div(hn::LoadU(d, batch.direction[batch.kx] + i), direction);
+    const V sy = hn::Div(hn::LoadU(d, batch.direction[batch.ky] + i), direction);
+    hn::Store(sx, d, batch.sx + i);
+    hn::Store(sy, d, batch.sy + i);
     hn::Store(hn::Div(hn::Set(d, 1.0f), direction), d, batch.sz + i);
     const V t = tMax ? hn::LoadU(d, tMax + i) : hn::Set(d, kInfinity), depth = hn::Mul(z, sign);
     hn::Store(t, d, batch.t + i);
+    const V all = hn::Add(hn::Add(x, y), hn::Add(z, hn::Add(sx, sy)));  // no number if one of them is none
+    numbers = hn::And(numbers, hn::And(hn::Eq(all, all), hn::Eq(t, t)));
     start = hn::Min(start, depth);
     end = hn::Max(end, hn::MulAdd(t, speed, depth));
     if constexpr (!kAny) {
@@ -109,6 +114,7 @@ HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax
       hn::Store(hn::Set(du, hal::kNoPrimitive), du, batch.primitive + i);
     }
   }
+  batch.numbers = hn::AllTrue(d, numbers);
   batch.common = hn::AllTrue(d, same);
   batch.size = hn::GetLane(hn::MaxOfLanes(d, size));
   batch.slowest = hn::GetLane(hn::MinOfLanes(d, slowest));

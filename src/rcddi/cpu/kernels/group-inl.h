@@ -67,7 +67,8 @@ HWY_NOINLINE void traceWithUnit(const Geometry &geometry, Batch &batch) {
 // Whether all numbers are so far from the limits of floats that no product of two overflows or vanishes.
 inline bool isTame(const Batch &batch, float extent) {
   constexpr float kLarge = 1e12f;
-  return batch.fastest < kLarge && batch.slowest > 1 / kLarge && extent < kLarge && batch.size < kLarge;
+  return batch.numbers && batch.fastest < kLarge && batch.slowest > 1 / kLarge && extent < kLarge &&
+         batch.size < kLarge;
 }
 
 template <bool kAny>

@@ -109,7 +109,9 @@ HWY_INLINE void setPlanes(D d, hn::Mask<D> where, const Corner<V> (&corners)[3],
   const V volumeError =
       hn::MulAdd(normal, hn::Set(d, reach), hn::Mul(hn::Mul(size, size), hn::Mul(error, hn::Set(d, 64.0f))));
   const V edgeError = hn::Mul(hn::Mul(size, hn::Set(d, 24.0f)), hn::Add(error, hn::Set(d, reach)));
-  const auto sure = hn::And(where, hn::And(hn::Gt(hn::Abs(volume), volumeError), hn::Lt(edgeError, hn::Set(d, 1e30f))));
+  // Errors near nothing vanish.
+  const auto numbers = hn::And(hn::Gt(volumeError, hn::Set(d, 1e-36f)), hn::Lt(edgeError, hn::Set(d, 1e30f)));
+  const auto sure = hn::And(hn::And(where, numbers), hn::Gt(hn::Abs(volume), volumeError));
   const V sign = hn::CopySignToAbs(hn::Set(d, 1.0f), hn::Mul(volume, hn::Set(d, side)));
   for (size_t k = 0; k < 3; ++k) {
     V *edge = out + kEdges + 3 * k;
@@ -141,24 +143,26 @@ HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Ba
   const V zSign = hn::Set(d, beam.zSign), zOffset = hn::Set(d, beam.zSign * origin[2] + beam.zOffset);
   const V xMeet = hn::Set(d, beam.xMeet - origin[0]), yMeet = hn::Set(d, beam.yMeet - origin[1]);
   for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
+    // From the point where rays meet.
+    const auto cornerAt = [&](size_t v) HWY_ATTR {
+      return Corner<V>{hn::Sub(hn::Load(d, triangles.corners[v][0] + i), xMeet),
+                       hn::Sub(hn::Load(d, triangles.corners[v][1] + i), yMeet),
+                       hn::MulAdd(hn::Load(d, triangles.corners[v][2] + i), zSign, zOffset)};
+    };
+    const V xSlope = hn::Set(d, beam.xSlope), ySlope = hn::Set(d, beam.ySlope);
     Seen<V> seen[3];
     for (size_t v = 0; v < 3; ++v) {
-      seen[v].z = hn::MulAdd(hn::Load(d, triangles.corners[v][2] + i), zSign, zOffset);
-      const V inverse = hn::Div(hn::Set(d, 1.0f), seen[v].z);
-      const V x = hn::Sub(hn::Load(d, triangles.corners[v][0] + i), xMeet);
-      const V y = hn::Sub(hn::Load(d, triangles.corners[v][1] + i), yMeet);
-      seen[v].x = hn::MulSub(x, inverse, hn::Set(d, beam.xSlope));
-      seen[v].y = hn::MulSub(y, inverse, hn::Set(d, beam.ySlope));
+      const auto [x, y, z] = cornerAt(v);
+      const V inverse = hn::Div(hn::Set(d, 1.0f), z);
+      seen[v] = {hn::MulSub(x, inverse, xSlope), hn::MulSub(y, inverse, ySlope), z};
     }
     V bounds[kOutlineBounds];
     const auto open = setOutline(d, seen, bounds);
     if (bitsOf(d, open) & there >> i) {
       Corner<V> corners[3];
       for (size_t v = 0; v < 3; ++v) {
-        const V x = hn::Sub(hn::Load(d, triangles.corners[v][0] + i), xMeet);
-        const V y = hn::Sub(hn::Load(d, triangles.corners[v][1] + i), yMeet);
-        corners[v] = {hn::NegMulAdd(hn::Set(d, beam.xSlope), seen[v].z, x),
-                      hn::NegMulAdd(hn::Set(d, beam.ySlope), seen[v].z, y), seen[v].z};
+        const auto [x, y, z] = cornerAt(v);
+        corners[v] = {hn::NegMulAdd(xSlope, z, x), hn::NegMulAdd(ySlope, z, y), z};
       }
       setPlanes(d, open, corners, beam.side, beam.reach(), beam.rounding, bounds);
     }

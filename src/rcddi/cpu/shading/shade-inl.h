@@ -189,6 +189,14 @@ HWY_INLINE void settle(const Shading &shading) {
   for (size_t i = 0; i < shading.scene.lights.size(); ++i) out.shadows[i].resize(out.shadows[i].size());
 }
 
+// Starts to fetch something, wherever in a cache line it begins.
+template <class T>
+HWY_INLINE void prefetch(const T *what) {
+  const auto *bytes = reinterpret_cast<const char *>(what);
+  for (size_t i = 0; i < sizeof(T); i += 64) hwy::Prefetch(bytes + i);
+  hwy::Prefetch(bytes + sizeof(T) - 1);
+}
+
 // Starts to fetch the triangles that were hit: when their vectors are shaded, they are there.
 HWY_INLINE void prefetchTriangles(const Shading &shading) {
   uint32_t last = hal::kNoPrimitive;
@@ -197,9 +205,8 @@ HWY_INLINE void prefetchTriangles(const Shading &shading) {
     if (primitive == last || primitive == hal::kNoPrimitive) continue;
     last = primitive;
     const auto [geometry, index] = hal::placeOf(shading.scene, primitive);
-    hwy::Prefetch(geometry.triangles.data() + index);
-    const auto *attributes = reinterpret_cast<const char *>(geometry.attributes.data() + index);
-    for (size_t line = 0; line < sizeof(hal::TriangleAttributes); line += 64) hwy::Prefetch(attributes + line);
+    prefetch(geometry.triangles.data() + index);
+    prefetch(geometry.attributes.data() + index);
   }
 }
 
