@@ -186,7 +186,7 @@ HWY_INLINE SlopeLanes slopesOf(const Batch &batch, const Beam &beam, size_t i) {
 HWY_INLINE bool mayMeet(const Outlines &outlines, size_t triangle, const SlopeLanes &slopes) {
   const D16 d;
   auto least = hn::Set(d, kInfinity);
-  for (size_t edge = kEdges; edge < kEdges + 9; edge += 3) {
+  for (size_t edge = kEdges; edge < kWide; edge += 3) {
     const auto bound = [&](size_t k) HWY_ATTR { return hn::Set(d, outlines.bounds[edge + k][triangle]); };
     const auto wide = hn::Set(d, outlines.bounds[kWide + (edge - kEdges) / 3][triangle]);
     least = hn::Min(least, hn::MulAdd(bound(0), slopes.x, hn::MulAdd(bound(1), slopes.y, wide)));
