@@ -106,7 +106,8 @@ HWY_INLINE void fill(std::span<const BuildReference> references, const Binning &
 
 // What a range costs beyond its area: the blocks that its triangles fill.
 inline float blocksOf(uint32_t count) {
-  return static_cast<float>((count + hal::TriangleBlock4::kWidth - 1) / hal::TriangleBlock4::kWidth);
+  const uint32_t blocks = (count + hal::TriangleBlock4::kWidth - 1) / hal::TriangleBlock4::kWidth;
+  return static_cast<float>(blocks);
 }
 
 HWY_INLINE void evaluate(const Bins &bins, size_t axis, size_t count, Split &best) {
