@@ -59,6 +59,9 @@ int main(int argc, char **argv) {
   for (int i = 1; i < argc; ++i) {
     if (std::atof(argv[i]) > 0) {
       millions.push_back(std::atof(argv[i]));
+    } else if (std::ranges::find(test::kHardSoups, std::string(argv[i]), &test::HardSoup::name) ==
+               std::end(test::kHardSoups)) {
+      return std::fprintf(stderr, "%s is neither a soup nor a number of millions\n", argv[i]), 1;
     } else {
       names.emplace_back(argv[i]);
     }

@@ -21,7 +21,6 @@ class BinaryTree {
 
   bool isLeaf(uint32_t node) const { return mNodes[node].left == 0; }
   int depthOf(uint32_t node) const { return mNodes[node].depth; }
-  size_t size() const { return mNodes.size(); }
 
   // Decides. nodeCost: what a node costs besides the rays that meet it, in units of area.
   void pack(float nodeCost);
@@ -33,9 +32,10 @@ class BinaryTree {
     float area;
     uint32_t left = 0;  // 0: a leaf; the right one follows
     int depth;
-    float cost[kWidth + 1] =
-        {};  // [i]: of the nodes at and below this one, if i children of another replace it at most
-    uint8_t share[kWidth + 1] = {};  // how many of these the left child gets; 0: this node is one of them
+    // If i children of another replace this node and those below, at most: what the nodes among them cost, and how many
+    // of the i replace the left child; 0: this node is the only one.
+    float cost[kWidth + 1] = {};
+    uint8_t share[kWidth + 1] = {};
   };
 
   void bestShares(Node &node) const;

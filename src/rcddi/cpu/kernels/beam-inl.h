@@ -41,7 +41,7 @@ struct alignas(64) Beam {
   float bounds[kBounds][kPackets];  // what a lane without a packet has, nothing meets
   float windows[kWindowBounds][kPackets];
   float all[kBounds];                  // of all packets
-  float zSign, zOffset;                // depth = zSign * world + zOffset grows along the rays
+  float zOffset;                       // depth = batch.zSign * world + zOffset grows along the rays
   float xMeet, yMeet, xSlope, ySlope;  // where the rays meet at depth 0; the middle of their slopes
   float side;                          // the sign of the depths at which rays lie, as far as that can be said
   float rounding;                      // of coordinates from where the rays meet
@@ -85,7 +85,7 @@ HWY_INLINE hn::Mask<D> meets(D, BoxLanes<V> &box, const V (&beam)[kBounds]) {
 HWY_INLINE hn::Vec<D16> endsOf(const Batch &batch, const Beam &beam, size_t i) {
   const D16 d;
   const auto start =
-      hn::MulAdd(hn::LoadU(d, batch.origin[batch.kz] + i), hn::Set(d, beam.zSign), hn::Set(d, beam.zOffset));
+      hn::MulAdd(hn::LoadU(d, batch.origin[batch.kz] + i), hn::Set(d, batch.zSign), hn::Set(d, beam.zOffset));
   const auto speed = hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + i));
   const auto length = hn::Mul(hn::Mul(hn::Load(d, batch.t + i), speed), hn::Set(d, 1 + hal::kSlack));
   return hn::Add(start, length);

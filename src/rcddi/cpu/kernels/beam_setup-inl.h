@@ -16,9 +16,9 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 // Depth, by zSign alone, of the point that two rays of the range come closest to each other at. Nothing to gain: not
 // a number. (The first and the last ray of a tile are far apart.)
-inline float waist(const Batch &batch, float zSign, size_t i, size_t j) {
+inline float waist(const Batch &batch, size_t i, size_t j) {
   const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
-  const float sx = zSign * (batch.sx[i] - batch.sx[j]), sy = zSign * (batch.sy[i] - batch.sy[j]);
+  const float sx = batch.zSign * (batch.sx[i] - batch.sx[j]), sy = batch.zSign * (batch.sy[i] - batch.sy[j]);
   const float bx = (ox[i] - batch.sx[i] * oz[i]) - (ox[j] - batch.sx[j] * oz[j]);
   const float by = (oy[i] - batch.sy[i] * oz[i]) - (oy[j] - batch.sy[j] * oz[j]);
   return -(bx * sx + by * sy) / (sx * sx + sy * sy);
@@ -28,10 +28,10 @@ inline float waist(const Batch &batch, float zSign, size_t i, size_t j) {
 // before it, as rays to a light do; if not, all lie behind.
 HWY_INLINE bool placeOrigin(const Batch &batch, float extent, Beam &beam) {
   if (batch.common) {
-    beam.zOffset = -beam.zSign * batch.origin[batch.kz][0];
+    beam.zOffset = -batch.zSign * batch.origin[batch.kz][0];
     return false;
   }
-  const float z = waist(batch, beam.zSign, 0, batch.rays - 1);
+  const float z = waist(batch, 0, batch.rays - 1);
   const bool useful = std::abs(z - batch.start) < 64 * extent;  // beyond, rounding eats what is gained
   beam.zOffset = useful ? -z : -batch.start;
   if (useful && z >= batch.end - 1e-3f * (batch.end - batch.start)) return true;
@@ -106,7 +106,7 @@ inline void fill(float (&out)[2][kPackets], float value) {
 HWY_INLINE void enclose(const Batch &batch, const Beam &beam, bool endless, Hulls &out) {
   const D16 d;
   const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
-  const auto sign = hn::Set(d, beam.zSign), offset = hn::Set(d, beam.zOffset);
+  const auto sign = hn::Set(d, batch.zSign), offset = hn::Set(d, beam.zOffset);
   const auto xSlope = [&](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, batch.sx + i), sign); };
   const auto ySlope = [&](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, batch.sy + i), sign); };
   const auto start = [&](size_t i) HWY_ATTR { return hn::MulAdd(hn::LoadU(d, oz + i), sign, offset); };
@@ -160,7 +160,7 @@ HWY_INLINE V spread(D d, const Batch &batch, const Beam &beam, const V (&bounds)
   const V end = hn::Max(bounds[kNear], bounds[kFar]);
   V z = hn::Zero(d);
   for (const float plane : {core.lower[batch.kz], core.upper[batch.kz]}) {
-    const V depth = hn::Set(d, beam.zSign * plane + beam.zOffset);
+    const V depth = hn::Set(d, batch.zSign * plane + beam.zOffset);
     z = hn::Max(z, hn::Abs(hn::Min(hn::Max(depth, bounds[kNear]), end)));
   }
   const V x = hn::Abs(hn::Sub(bounds[kXUpperSlope], bounds[kXLowerSlope]));
@@ -210,7 +210,6 @@ HWY_INLINE void makeBeam(const Batch &batch, const hal::AccelView &accel, float 
   const D16 d;
   using V = hn::Vec<D16>;
   const float extent = glm::length(accel.bounds.size());
-  beam.zSign = batch.zSign;
   const bool before = placeOrigin(batch, extent, beam);
   const float margin = 0x1p-20f * std::max(std::abs(beam.zOffset), batch.size);
   Hulls hulls;

@@ -44,7 +44,7 @@ HWY_INLINE bool packetsMeet(const hal::BvhNode8 &node, uint32_t child, const Bat
   const D16 d;
   using V = hn::Vec<D16>;
   const auto &x = node.planes[batch.kx], &y = node.planes[batch.ky], &z = node.planes[batch.kz];
-  const int front = beam.zSign < 0;
+  const int front = batch.zSign < 0;
   bool some = false;
   for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
     V lanes[kBounds];
@@ -54,8 +54,8 @@ HWY_INLINE bool packetsMeet(const hal::BvhNode8 &node, uint32_t child, const Bat
                     hn::Set(d, x[1][child]),
                     hn::Set(d, y[0][child]),
                     hn::Set(d, y[1][child]),
-                    hn::Set(d, z[front][child] * beam.zSign + beam.zOffset),
-                    hn::Set(d, z[!front][child] * beam.zSign + beam.zOffset)};
+                    hn::Set(d, z[front][child] * batch.zSign + beam.zOffset),
+                    hn::Set(d, z[!front][child] * batch.zSign + beam.zOffset)};
     const auto met = meets(d, box, lanes);
     some |= !hn::AllFalse(d, met);
     hn::Store(hn::IfThenElse(met, box.near, hn::Set(d, kInfinity)), d, near + i);
@@ -70,9 +70,9 @@ HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 
   using V = hn::Vec<D8>;
   V lanes[kBounds];
   for (size_t k = 0; k < kBounds; ++k) lanes[k] = hn::Set(d, beam.all[k]);
-  const V sign = hn::Set(d, beam.zSign), offset = hn::Set(d, beam.zOffset);
+  const V sign = hn::Set(d, batch.zSign), offset = hn::Set(d, beam.zOffset);
   const auto &x = node.planes[batch.kx], &y = node.planes[batch.ky], &z = node.planes[batch.kz];
-  const int front = beam.zSign < 0;
+  const int front = batch.zSign < 0;
   alignas(32) float keys[hal::BvhNode8::kWidth];
   uint32_t bits = 0;
   for (size_t i = 0; i < hal::BvhNode8::kWidth; i += hn::Lanes(d)) {

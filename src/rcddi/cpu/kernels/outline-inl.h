@@ -140,7 +140,7 @@ HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Ba
   const int axes[3] = {batch.kx, batch.ky, batch.kz};
   float origin[3] = {};
   for (size_t k = 0; k < 3 && batch.common; ++k) origin[k] = batch.origin[axes[k]][0];
-  const V zSign = hn::Set(d, beam.zSign), zOffset = hn::Set(d, beam.zSign * origin[2] + beam.zOffset);
+  const V zSign = hn::Set(d, batch.zSign), zOffset = hn::Set(d, batch.zSign * origin[2] + beam.zOffset);
   const V xMeet = hn::Set(d, beam.xMeet - origin[0]), yMeet = hn::Set(d, beam.yMeet - origin[1]);
   for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
     // From the point where rays meet.
@@ -177,7 +177,7 @@ struct SlopeLanes {
 };
 HWY_INLINE SlopeLanes slopesOf(const Batch &batch, const Beam &beam, size_t i) {
   const D16 d;
-  const auto sign = hn::Set(d, beam.zSign);
+  const auto sign = hn::Set(d, batch.zSign);
   return {hn::MulSub(hn::Load(d, batch.sx + i), sign, hn::Set(d, beam.xSlope)),
           hn::MulSub(hn::Load(d, batch.sy + i), sign, hn::Set(d, beam.ySlope))};
 }
