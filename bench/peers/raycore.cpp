@@ -7,6 +7,7 @@
 #include "peers/tracer.h"
 #include "rcddi/cpu/trace.h"
 #include "rcddk/accel/builder.h"
+#include "rchal/queues.h"
 
 namespace rc::bench {
 namespace {
@@ -33,14 +34,16 @@ class RaycoreTracer final : public Tracer {
   void trace(Kind kind, const RayBatch &rays, size_t begin, size_t end, FirstHit *hits) const override {
     const ddi::cpu::RayStream stream{{rays.column(0) + begin, rays.column(1) + begin, rays.column(2) + begin},
                                      {rays.column(3) + begin, rays.column(4) + begin, rays.column(5) + begin},
-                                     end - begin};
-    hal::Hit found[kMost];
-    uint8_t blocked[kMost];
+                                     end - begin,
+                                     kind == kPrimary || getenv("NOFROM") ? nullptr : rays.from() + begin};
     if (kind == kShadow) {
+      uint8_t blocked[kMost];
       ddi::cpu::findBlocked(mView, stream, rays.column(6) + begin, blocked, nullptr);
       for (size_t i = begin; i < end; ++i) hits[i].primitive = blocked[i - begin] ? 0 : kMiss;
     } else {
-      ddi::cpu::closestHits(mView, stream, found);
+      thread_local hal::HitQueue found;
+      found.resize(end - begin);
+      ddi::cpu::closestHits(mView, stream, found.data());
       for (size_t i = begin; i < end; ++i) hits[i] = {found[i - begin].t, found[i - begin].primitive};
     }
   }

@@ -31,6 +31,7 @@ void RayBatch::finish() {
   const size_t count = (mRays.size() + 255) & ~size_t(255);
   mMemory.assign(kColumns * count + 16, 0);
   const auto address = reinterpret_cast<uintptr_t>(mMemory.data());
+  mFrom.resize(count);
   mStart = mMemory.data() + (64 - address % 64) % 64 / sizeof(float);
   mCount = count;
   for (size_t i = 0; i < count; ++i) {
@@ -38,6 +39,7 @@ void RayBatch::finish() {
     const float values[kColumns] = {item.origin.x,    item.origin.y,    item.origin.z, item.direction.x,
                                     item.direction.y, item.direction.z, item.tMax};
     for (size_t c = 0; c < kColumns; ++c) column(c)[i] = values[c];
+    mFrom[i] = item.from;
   }
   mRays = {};
 }
@@ -53,7 +55,7 @@ RayBatch primaryRays(const Soup &soup, int width, int height) {
         const int x = tileX + (i >> 4 & 3) * 4 + (i & 3), y = tileY + (i >> 6) * 4 + (i >> 2 & 3);
         const float u = ((float(x) + 0.5f) / float(width) * 2 - 1) * wide;
         const float v = (1 - (float(y) + 0.5f) / float(height) * 2) * tangent;
-        batch.add(soup.camera.eye, glm::normalize(forward + right * u + up * v), kFar);
+        batch.add(soup.camera.eye, glm::normalize(forward + right * u + up * v), kFar, kMiss);
       }
     }
   }
@@ -76,9 +78,11 @@ RayBatch secondaryRays(const Soup &soup, Kind kind, const RayBatch &primary, std
     point += normal * (1e-4f * (hits[i].t + 0.01f * maxComponent(glm::abs(point))));
     const Vec3 toLight = soup.light - point;
     const float distance = glm::length(toLight);
-    if (kind == kShadow) batch.add(point, toLight / distance, distance * 0.9995f);
-    if (kind == kMirror) batch.add(point, d - normal * (2 * glm::dot(d, normal)), kFar);
-    if (kind == kDiffuse) batch.add(point, lobe(normal), kFar);
+    // From behind it is the surface itself that keeps the light off.
+    const uint32_t from = kind != kShadow || glm::dot(toLight, normal) > 0 ? hits[i].primitive : kMiss;
+    if (kind == kShadow) batch.add(point, toLight / distance, distance * 0.9995f, from);
+    if (kind == kMirror) batch.add(point, d - normal * (2 * glm::dot(d, normal)), kFar, from);
+    if (kind == kDiffuse) batch.add(point, lobe(normal), kFar, from);
   }
   batch.finish();
   return batch;

@@ -23,7 +23,9 @@ class RayBatch {
   RayBatch() = default;
   explicit RayBatch(size_t reserve) { mRays.reserve(reserve); }
 
-  void add(const Vec3 &origin, const Vec3 &direction, float tMax) { mRays.push_back({origin, direction, tMax}); }
+  void add(const Vec3 &origin, const Vec3 &direction, float tMax, uint32_t from) {
+    mRays.push_back({origin, direction, tMax, from});
+  }
   // Puts what was added into the columns.
   void finish();
 
@@ -32,14 +34,17 @@ class RayBatch {
   Vec3 origin(size_t i) const { return {column(0)[i], column(1)[i], column(2)[i]}; }
   Vec3 direction(size_t i) const { return {column(3)[i], column(4)[i], column(5)[i]}; }
   float tMax(size_t i) const { return column(6)[i]; }
+  const uint32_t *from() const { return mFrom.data(); }
 
  private:
   struct Item {
     Vec3 origin, direction;
     float tMax;
+    uint32_t from;
   };
   std::vector<Item> mRays;
   std::vector<float> mMemory;
+  std::vector<uint32_t> mFrom;
   float *mStart = nullptr;
   size_t mCount = 0;
 };

@@ -30,7 +30,7 @@ class MatrixStack {
   }
 
  private:
-  std::vector<Mat4> mMatrices{Mat4(1)};
+  std::vector<Mat4> mMatrices = std::vector<Mat4>(1, Mat4(1));  // a list of one upsets GCC 12 with 512-bit vectors
 };
 
 }  // namespace rc::api

@@ -29,6 +29,13 @@ inline bool isFinite(const Vec3 &v) { return std::isfinite(v.x) && std::isfinite
 inline float maxComponent(const Vec3 &v) { return std::max(v.x, std::max(v.y, v.z)); }
 inline float minComponent(const Vec3 &v) { return std::min(v.x, std::min(v.y, v.z)); }
 
+// v / length, or fallback where v has no direction. One division for three: rays and lights are rarely where the last
+// bit shows.
+inline Vec3 directionOf(const Vec3 &v, float length, const Vec3 &fallback) {
+  return length > 0 && length < kInfinity ? v * (1 / length) : fallback;
+}
+inline Vec3 directionOf(const Vec3 &v, const Vec3 &fallback) { return directionOf(v, glm::length(v), fallback); }
+
 // v / |v|, or fallback where v has no direction.
 inline Vec3 normalizedOr(const Vec3 &v, const Vec3 &fallback) {
   const float length = glm::length(v);

@@ -109,13 +109,14 @@ struct ShadowItem {
   float distance = 0;  // to the light; infinite for a directional one
   Rgb colour{0};       // what the light adds if nothing is in the way
   uint32_t pixel = 0;
+  uint32_t from = kNoPrimitive;  // the triangle it starts on, which cannot be in the way (SurfacePoint::start)
 };
 
 // The questions about one light.
 struct ShadowQueue {
   Vec3Column origin, direction, colour;
   Column<float> distance;
-  Column<uint32_t> pixel;
+  Column<uint32_t> pixel, from;
 
   size_t size() const { return pixel.size(); }
   void push(const ShadowItem &item) {
@@ -124,8 +125,11 @@ struct ShadowQueue {
     colour.push(item.colour);
     distance.push_back(item.distance);
     pixel.push_back(item.pixel);
+    from.push_back(item.from);
   }
-  ShadowItem operator[](size_t i) const { return {{origin[i], direction[i]}, distance[i], colour[i], pixel[i]}; }
+  ShadowItem operator[](size_t i) const {
+    return {{origin[i], direction[i]}, distance[i], colour[i], pixel[i], from[i]};
+  }
   void reserve(size_t count) {
     forEachColumn([&](auto &column) { column.reserve(count); });
   }
@@ -143,6 +147,7 @@ struct ShadowQueue {
     }
     visit(distance);
     visit(pixel);
+    visit(from);
   }
 };
 

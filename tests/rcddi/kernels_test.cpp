@@ -10,6 +10,7 @@
 
 #include "common/on_each_target.h"
 #include "common/ray_kinds.h"
+#include "rchal/units/hit_point.h"
 #include "rchal/units/traversal.h"
 
 namespace rc::test {
@@ -194,6 +195,49 @@ TEST(KernelRooms, EyesAndLightsAmidWalls) {
       compareBlocked(view, plain, on, 10);
       for (const float end : {0.999f, 1.0f, 1.0005f, 1.5f}) compareBlocked(view, plain, in, end);
     }
+  }
+}
+
+// Rays from a floor to a light, below a canopy. That a ray cannot meet some triangle, the one that it starts on or,
+// here too, one that its neighbour meets, may be made use of for this ray alone.
+TEST(KernelOrigins, TrianglesThatARayCannotMeetChangeNothing) {
+  Triangles triangles = gridSurface(4, [](float u, float v) { return Vec3(4 * u - 2, 0.1f * u, 4 * v - 2); });
+  for (const HotTriangle &t : gridSurface(5, [](float u, float v) { return Vec3(u - 0.6f, 1 + 0.1f * v, v - 0.3f); })) {
+    triangles.push_back(t);
+  }
+  TestScene scene(triangles);
+  const SceneView view = scene.update();
+  const Vec3 light(0.4f, 3, 0.7f);
+  std::vector<Ray> rays;
+  std::vector<uint32_t> origins, neighbours;
+  for (size_t i = 0; i < 64 * 64; ++i) {
+    const Ray down{{float(i % 64) / 16 - 1.97f, 0.9f, float(i / 64) / 16 - 1.96f}, {0, -1, 0}};
+    const Hit hit = closestHit(view, down);
+    ASSERT_TRUE(hit.found());
+    const SurfacePoint point = surfacePoint(view.geometry[0], hit.primitive, hit, down.direction);
+    const Vec3 towards = light - point.position;
+    rays.push_back({point.start(towards), towards});
+    origins.push_back(hit.primitive);
+  }
+  std::vector<uint8_t> truth(rays.size());
+  for (size_t i = 0; i < rays.size(); ++i) {
+    const uint32_t own = closestHit(view, rays[i]).primitive, other = closestHit(view, rays[i ^ 1]).primitive;
+    truth[i] = own != kNoPrimitive;
+    neighbours.push_back(own == other ? kNoPrimitive : other);
+  }
+  EXPECT_GT(std::ranges::count(truth, 1), 300);
+  EXPECT_GT(std::ranges::count(truth, 0), 300);
+  const Columns columns(rays);
+  const std::vector<float> ends(rays.size() + Columns::kBehind, 1);
+  for (std::vector<uint32_t> *from : {&origins, &neighbours}) {
+    from->resize(rays.size() + Columns::kBehind, kNoPrimitive);
+    onEachTarget([&] {
+      ddi::cpu::RayStream stream = columns.stream();
+      stream.from = from->data();
+      std::vector<uint8_t> blocked(rays.size());
+      ddi::cpu::findBlocked(view, stream, ends.data(), blocked.data(), nullptr);
+      EXPECT_EQ(blocked, truth);
+    });
   }
 }
 

@@ -17,6 +17,9 @@ namespace rc::ddi::cpu {
 struct RayStream {
   std::array<const float *, 3> origin, direction;
   size_t count;
+  // The triangles that rays start on, off their planes by SurfacePoint::safeOffset, so that they cannot meet them:
+  // tests with them may be left out. Null: not known; kNoPrimitive: none.
+  const uint32_t *from = nullptr;
 };
 
 // The nearest hit of each ray.

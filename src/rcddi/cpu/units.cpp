@@ -35,7 +35,8 @@ void CpuUnits::addVisible(const SceneView &scene, const ShadowQueue &shadows, co
   mEnd.resize(count);
   mBlocked.resize(count);
   for (size_t i = 0; i < count; ++i) mEnd[i] = shadowEnd(shadows.distance[i]);
-  const RayStream rays = streamOf(shadows.origin, shadows.direction, count);
+  RayStream rays = streamOf(shadows.origin, shadows.direction, count);
+  rays.from = shadows.from.data();
   if (!scene.filtersShadow()) {
     findBlocked(scene, rays, mEnd.data(), mBlocked.data(), nullptr);
     return addLit(shadows, mBlocked.data(), sums);

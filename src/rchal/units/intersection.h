@@ -26,9 +26,10 @@ struct ShearedRay {
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
     if (d[kz] < 0) std::swap(kx, ky);  // keeps the winding
-    sx = d[kx] / d[kz];
-    sy = d[ky] / d[kz];
-    sz = 1.0f / d[kz];
+    sz = 1.0f /
+         d[kz];  // the one division: which way the last bit falls is no matter as long as all triangles see the same
+    sx = d[kx] * sz;
+    sy = d[ky] * sz;
   }
 };
 

@@ -44,11 +44,6 @@ inline float attenuation(const LightRow &light, float distance) {
   return factor * std::clamp((light.rangeEnd - distance) / (light.rangeEnd - light.rangeStart), 0.0f, 1.0f);
 }
 
-// One division for three: a light is rarely where the last bit shows.
-inline Vec3 directionOf(const Vec3 &towards, float distance, const Vec3 &fallback) {
-  return distance > 0 && distance < kInfinity ? towards * (1 / distance) : fallback;
-}
-
 // view: unit, towards where the ray came from.
 inline LightTerm lightAt(const LightRow &light, const SurfacePoint &point, const Vec3 &view,
                          const SurfaceColours &surface) {

@@ -36,7 +36,7 @@ inline RayItem primaryRay(const CameraView &camera, int column, int row, PixelSa
     return item;
   }
   item.ray.origin = camera.eye;
-  item.ray.direction = normalizedOr(camera.right * x + camera.up * y - camera.back * camera.near, -camera.back);
+  item.ray.direction = directionOf(camera.right * x + camera.up * y - camera.back * camera.near, -camera.back);
   item.coneSpread = pixel / camera.near;
   return item;
 }

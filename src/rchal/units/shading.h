@@ -142,7 +142,8 @@ class Shader {
         add(direct);
         continue;
       }
-      mOut.shadows[i].push({{mPoint.start(term.direction), term.direction}, term.distance, direct, mItem.pixel});
+      mOut.shadows[i].push(
+          {{mPoint.start(term.direction), term.direction}, term.distance, direct, mItem.pixel, mHit.primitive});
       ++mOut.counts.shadow;
     }
   }
@@ -195,7 +196,7 @@ class Shader {
 
   void bounce(const Rgb &weight, const Vec3 &direction, float coneSpread) {
     RayItem next = mItem;
-    next.ray.direction = normalizedOr(direction, mPoint.flatNormal);
+    next.ray.direction = directionOf(direction, mPoint.flatNormal);
     next.ray.origin = mPoint.start(next.ray.direction);
     next.weight = weight;
     next.tolerance = mTolerance;

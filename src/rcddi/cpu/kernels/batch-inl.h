@@ -33,14 +33,16 @@ struct alignas(64) Batch {
   float slowest, fastest;                 // of the directions, along z
   float start, end;                       // where the first ray starts and the last one ends, along zSign * z
   const float *origin[3], *direction[3];  // in world axes
+  const uint32_t *from;                   // see RayStream; null: not known
   alignas(64) float sx[kBatchRays], sy[kBatchRays], sz[kBatchRays];
   float t[kBatchRays];  // of the best hit, or how far to look; -infinity: needs no more
   float u[kBatchRays], v[kBatchRays];
   uint32_t primitive[kBatchRays];
   size_t first;  // of the group in the stream
-  // If the batch is not in place: which rays of the group it has, and what origin and direction point to.
+  // If the batch is not in place: which rays of the group it has, and what origin, direction and from point to.
   uint32_t index[kRoom];
   float columns[6][kRoom];
+  uint32_t fromColumn[kRoom];
   FilterHits *filters;  // where rays that ask what blocks them cross filters; may be null
 
   hal::Ray ray(size_t i) const {
@@ -66,7 +68,7 @@ HWY_INLINE bool classify(const RayStream &rays, size_t first, size_t count, int3
                                      hn::IfThenElse(hn::RebindMask(di, isY), hn::Set(di, 2), hn::Set(di, 4)));
     const auto negative =
         hn::IfThenElse(hn::RebindMask(di, hn::Lt(largest, hn::Zero(d))), hn::Set(di, 1), hn::Zero(di));
-    const auto there = hn::FirstN(di, count - i);
+    const auto there = lanesUpTo(di, i, count);
     hn::StoreU(hn::IfThenElse(there, hn::Or(axis, negative), hn::Set(di, -1)), di, classes + i);
     same = hn::And(same, hn::Eq(hn::LoadU(di, classes + i), hn::Set(di, classes[0])));
   }
@@ -97,11 +99,12 @@ HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax
     const V direction = hn::LoadU(d, batch.direction[batch.kz] + i), speed = hn::Abs(direction);
     slowest = hn::Min(slowest, speed);
     fastest = hn::Max(fastest, speed);
-    const V sx = hn::Div(hn::LoadU(d, batch.direction[batch.kx] + i), direction);
-    const V sy = hn::Div(hn::LoadU(d, batch.direction[batch.ky] + i), direction);
+    const V sz = hn::Div(hn::Set(d, 1.0f), direction);
+    const V sx = hn::Mul(hn::LoadU(d, batch.direction[batch.kx] + i), sz);
+    const V sy = hn::Mul(hn::LoadU(d, batch.direction[batch.ky] + i), sz);
     hn::Store(sx, d, batch.sx + i);
     hn::Store(sy, d, batch.sy + i);
-    hn::Store(hn::Div(hn::Set(d, 1.0f), direction), d, batch.sz + i);
+    hn::Store(sz, d, batch.sz + i);
     const V t = tMax ? hn::LoadU(d, tMax + i) : hn::Set(d, kInfinity), depth = hn::Mul(z, sign);
     hn::Store(t, d, batch.t + i);
     const V all = hn::Add(hn::Add(x, y), hn::Add(z, hn::Add(sx, sy)));  // no number if one of them is none

@@ -94,8 +94,8 @@ HWY_INLINE hn::Vec<D16> endsOf(const Batch &batch, const Beam &beam, size_t i) {
 HWY_INLINE float farthest(const Batch &batch, const Beam &beam, size_t packet) {
   const D16 d;
   auto most = hn::Set(d, -kInfinity);
-  for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(d)) {
-    most = hn::Max(most, endsOf(batch, beam, i));
+  for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
+    most = hn::Max(most, endsOf(batch, beam, packet * kPacketRays + i));
   }
   return hn::GetLane(hn::MaxOfLanes(d, most));
 }

@@ -222,7 +222,7 @@ HWY_INLINE void makeBeam(const Batch &batch, const hal::AccelView &accel, float 
     V bounds[kBounds];
     boundsOf(d, hulls, i, before, margin, bounds);
     const auto narrow = hn::Le(spread(d, batch, beam, bounds, accel.core), hn::Set(d, widest));
-    const auto there = hn::Lt(hn::Iota(d, float(i)), hn::Set(d, float(batch.packets)));
+    const auto there = lanesUpTo(d, i, batch.packets);
     const auto takesPart = hn::And(narrow, there);
     beam.packets |= bitsOf(d, takesPart) << i;
     bounds[kXUpper] = hn::IfThenElse(takesPart, bounds[kXUpper], hn::Set(d, -kInfinity));

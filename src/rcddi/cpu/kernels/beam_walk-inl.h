@@ -94,17 +94,68 @@ HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 
   return push(accel, node, children, keys, stack, depth);
 }
 
-// Those of the triangles that some ray of the packet may meet. Of what a window holds, shadow rays miss more than half,
-// and finding that out here costs a third of the test. Other rays miss less, and gain nothing.
-HWY_INLINE uint32_t seenByRays(const Outlines &outlines, const Batch &batch, const Beam &beam, size_t packet,
-                               uint32_t triangles) {
-  uint32_t seen = 0;
-  for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(D16())) {
-    const SlopeLanes slopes = slopesOf(batch, beam, i);
-    for (uint32_t rest = triangles & ~seen; rest;) {
-      const uint32_t triangle = nextBit(rest);
-      seen |= uint32_t(mayMeet(outlines, triangle, slopes)) << triangle;
+// A bit for each of 16 packets and each of 16 triangles. Loops over all of a word foretell their end better than loops
+// over the few triangles of each packet.
+struct Pairs {
+  static constexpr size_t kWords = kPackets * kLanes / 64;
+
+  uint64_t words[kWords] = {};
+
+  void add(size_t packet, uint32_t triangles) {
+    words[packet * kLanes / 64] |= uint64_t(triangles) << (packet * kLanes % 64);
+  }
+  size_t count() const {
+    size_t sum = 0;
+    for (const uint64_t word : words) sum += hwy::PopCount(word);
+    return sum;
+  }
+  // visit(packet, triangle) returns whether the pair stays.
+  template <class Visit>
+  HWY_INLINE void keepIf(Visit &&visit) {
+    for (size_t w = 0; w < kWords; ++w) {
+      uint64_t kept = 0;
+      for (uint64_t rest = words[w]; rest; rest &= rest - 1) {
+        const size_t bit = hwy::Num0BitsBelowLS1Bit_Nonzero64(rest);
+        kept |= uint64_t(visit(w * 64 / kLanes + bit / kLanes, bit % kLanes)) << bit;
+      }
+      words[w] = kept;
     }
+  }
+};
+
+// What single rays are asked with: their slopes; NaN for those that are blocked, which then meet nothing.
+struct alignas(64) RaySlopes {
+  float x[kBatchRays], y[kBatchRays];
+};
+HWY_INLINE void setSlopes(const Batch &batch, const Beam &beam, size_t packet, RaySlopes &out) {
+  const D16 d;
+  const auto sign = hn::Set(d, batch.zSign), x = hn::Set(d, beam.xSlope), y = hn::Set(d, beam.ySlope);
+  const auto none = hn::NaN(d);
+  for (size_t k = 0; k < kPacketRays; k += hn::Lanes(d)) {
+    const size_t i = packet * kPacketRays + k;
+    const auto open = hn::Gt(hn::Load(d, batch.t + i), hn::Zero(d));
+    hn::Store(hn::IfThenElse(open, hn::MulSub(hn::Load(d, batch.sx + i), sign, x), none), d, out.x + i);
+    hn::Store(hn::IfThenElse(open, hn::MulSub(hn::Load(d, batch.sy + i), sign, y), none), d, out.y + i);
+  }
+}
+
+// Whether some ray of the packet may meet the triangle: one that is not blocked yet and does not start on it. Of what a
+// window holds, shadow rays miss more than half, and finding that out here costs a third of the test. Other rays miss
+// less, and gain nothing.
+HWY_INLINE bool seenByRays(const Geometry &geometry, const TriangleLanes &triangles, const Outlines &outlines,
+                           const Batch &batch, const RaySlopes &slopes, size_t packet, size_t triangle) {
+  const D16 d;
+  const hn::RebindToUnsigned<D16> du;
+  bool seen = false;
+  for (size_t k = 0; k < kPacketRays; k += hn::Lanes(d)) {
+    const size_t i = packet * kPacketRays + k;
+    auto may = mayMeet(outlines, triangle, hn::Load(d, slopes.x + i), hn::Load(d, slopes.y + i));
+    if (batch.from) {
+      const auto other =
+          hn::Ne(hn::LoadU(du, batch.from + i), hn::Set(du, geometry.base + triangles.primitive[triangle]));
+      may = hn::And(may, hn::RebindMask(d, other));
+    }
+    seen |= !hn::AllFalse(d, may);
   }
   return seen;
 }
@@ -118,14 +169,26 @@ HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &be
   for (size_t i = leaves.count; i < WaitingLeaves::kMost; ++i) clearQuarter(i, triangles);
   Outlines outlines;
   outline<kAny>(triangles, lanes, batch, beam, outlines);
+  Pairs pairs;
+  RaySlopes slopes;
   while (leaves.packets) {
     const uint32_t packet = nextBit(leaves.packets);
-    uint32_t seen = trianglesIn(outlines, beam, packet) & lanes;
-    leaves.tests += hwy::PopCount(seen);
-    if (kAny && hwy::PopCount(seen) > 1) seen = seenByRays(outlines, batch, beam, packet, seen);
-    const bool hit = intersectPacket<kAny, kCommon>(geometry, batch, triangles, seen, packet);
-    changed |= uint32_t(hit) << packet;
+    if constexpr (kAny) setSlopes(batch, beam, packet, slopes);
+    pairs.add(packet, trianglesIn(outlines, beam, packet) & lanes);
   }
+  leaves.tests += pairs.count();
+  if constexpr (kAny) {
+    pairs.keepIf([&](size_t packet, size_t triangle)
+                     HWY_ATTR { return seenByRays(geometry, triangles, outlines, batch, slopes, packet, triangle); });
+  }
+  pairs.keepIf([&](size_t packet, size_t triangle) HWY_ATTR {
+    bool hit = false;
+    for (size_t i = 0; i < kPacketRays; i += hn::Lanes(D16())) {
+      hit |= intersectTriangle<kAny, kCommon>(geometry, batch, triangles, triangle, packet * kPacketRays + i);
+    }
+    changed |= uint32_t(hit) << packet;
+    return false;
+  });
   if (changed) shorten(batch, changed, beam);
   leaves.count = 0;
 }

@@ -160,13 +160,18 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
       pack(rays.direction[axis] + from, lanes, n, batch.columns[3 + axis]);
     }
     if (tMax) pack(tMax + from, lanes, n, tColumn);
-    const auto index = hn::Iota(du, static_cast<uint32_t>(i));
+    const auto index = countFrom(du, i);
     hn::StoreU(packed(du, index, hn::RebindMask(du, lanes)), du, batch.index + n);
+    if (rays.from) {
+      hn::StoreU(packed(du, hn::LoadU(du, rays.from + from), hn::RebindMask(du, lanes)), du, batch.fromColumn + n);
+    }
     n += hn::CountTrue(d, lanes);
   }
   const size_t rest = n % kPacketRays ? kPacketRays - n % kPacketRays : 0;
   for (size_t k = 0; k < 6 && rest; ++k) std::fill_n(batch.columns[k] + n, rest, batch.columns[k][n - 1]);
   if (tMax && rest) std::fill_n(tColumn + n, rest, tColumn[n - 1]);
+  if (rays.from && rest) std::fill_n(batch.fromColumn + n, rest, batch.fromColumn[n - 1]);
+  batch.from = rays.from ? batch.fromColumn : nullptr;
   for (int axis = 0; axis < 3; ++axis) {
     batch.origin[axis] = batch.columns[axis];
     batch.direction[axis] = batch.columns[3 + axis];
@@ -187,6 +192,7 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
       batch.origin[axis] = rays.origin[axis] + first;
       batch.direction[axis] = rays.direction[axis] + first;
     }
+    batch.from = rays.from ? rays.from + first : nullptr;
     setUp<kAny>(batch, count, classes[0], tMax ? tMax + first : nullptr);
     return traceClass<kAny>(scene, batch, hits, blocked);
   }

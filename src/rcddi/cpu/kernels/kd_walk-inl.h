@@ -54,7 +54,7 @@ HWY_INLINE void enter(const hal::AccelView &accel, const Batch &batch, size_t pa
       far = hn::Min(far, hn::Max(a, b));
     }
     far = hn::Min(far, hn::Load(d, batch.t + packet * kPacketRays + i));
-    const auto there = hn::Lt(hn::Iota(d, float(packet * kPacketRays + i)), hn::Set(d, float(batch.rays)));
+    const auto there = lanesUpTo(d, packet * kPacketRays + i, batch.rays);
     hn::Store(hn::Mul(near, hn::Set(d, 1 - hal::kSlack)), d, root.enter + i);
     hn::Store(hn::IfThenElse(there, hn::Mul(far, hn::Set(d, 1 + hal::kSlack)), hn::Set(d, -kInfinity)), d,
               root.leave + i);

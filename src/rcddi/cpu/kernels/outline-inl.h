@@ -171,27 +171,14 @@ HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Ba
   }
 }
 
-// The slopes of rays relative to the middle of the beam's.
-struct SlopeLanes {
-  hn::Vec<D16> x, y;
-};
-HWY_INLINE SlopeLanes slopesOf(const Batch &batch, const Beam &beam, size_t i) {
+// The rays of these slopes, relative to the middle of the beam's, that may meet the triangle.
+HWY_INLINE hn::Mask<D16> mayMeet(const Outlines &outlines, size_t triangle, hn::Vec<D16> x, hn::Vec<D16> y) {
   const D16 d;
-  const auto sign = hn::Set(d, batch.zSign);
-  return {hn::MulSub(hn::Load(d, batch.sx + i), sign, hn::Set(d, beam.xSlope)),
-          hn::MulSub(hn::Load(d, batch.sy + i), sign, hn::Set(d, beam.ySlope))};
-}
-
-// Whether one of the rays may meet the triangle: its outline against each of them.
-HWY_INLINE bool mayMeet(const Outlines &outlines, size_t triangle, const SlopeLanes &slopes) {
-  const D16 d;
-  auto least = hn::Set(d, kInfinity);
-  for (size_t edge = kEdges; edge < kWide; edge += 3) {
-    const auto bound = [&](size_t k) HWY_ATTR { return hn::Set(d, outlines.bounds[edge + k][triangle]); };
-    const auto wide = hn::Set(d, outlines.bounds[kWide + (edge - kEdges) / 3][triangle]);
-    least = hn::Min(least, hn::MulAdd(bound(0), slopes.x, hn::MulAdd(bound(1), slopes.y, wide)));
-  }
-  return !hn::AllTrue(d, hn::Lt(least, hn::Zero(d)));
+  const auto side = [&](size_t k) HWY_ATTR {
+    const auto bound = [&](size_t i) HWY_ATTR { return hn::Set(d, outlines.bounds[i][triangle]); };
+    return hn::MulAdd(bound(kEdges + 3 * k), x, hn::MulAdd(bound(kEdges + 3 * k + 1), y, bound(kWide + k)));
+  };
+  return hn::Ge(hn::Min(hn::Min(side(0), side(1)), side(2)), hn::Zero(d));
 }
 
 // Triangles whose outlines may have something in common with the window of a packet.

@@ -194,8 +194,8 @@ HWY_INLINE bool intersectPacket(const Geometry &geometry, Batch &batch, const Tr
   bool changed = false;
   while (lanes) {
     const uint32_t lane = nextBit(lanes);
-    for (size_t i = packet * kPacketRays; i < (packet + 1) * kPacketRays; i += hn::Lanes(d)) {
-      changed |= intersectTriangle<kAny, kCommon>(geometry, batch, triangles, lane, i);
+    for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
+      changed |= intersectTriangle<kAny, kCommon>(geometry, batch, triangles, lane, packet * kPacketRays + i);
     }
   }
   return changed;

@@ -55,6 +55,22 @@ HWY_INLINE V packed(D d, V v, hn::Mask<D> mask) {
 #endif
 }
 
+// first, first + 1, ...: what hn::Iota does, which writes its lanes one by one and reads them as one vector: processors
+// wait for that (Highway 1.0.3). D: integers of 32 bits.
+template <class D>
+HWY_INLINE hn::Vec<D> countFrom(D d, size_t first) {
+  const hn::RebindToUnsigned<D> du;
+  const auto numbers = hn::Load(du, kLaneNumbers.numbers);
+  return hn::BitCast(d, hn::Add(numbers, hn::Set(du, static_cast<uint32_t>(first))));
+}
+
+// The lanes from `first` on that lie before `count`.
+template <class D>
+HWY_INLINE hn::Mask<D> lanesUpTo(D d, size_t first, size_t count) {
+  const hn::RebindToSigned<D> di;
+  return hn::RebindMask(d, hn::Lt(countFrom(di, first), hn::Set(di, static_cast<int32_t>(count))));
+}
+
 // 1 / direction, finite also where that is 0, as in hal::TraversalRay.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V inverseOf(D d, V direction) {

@@ -66,11 +66,16 @@ HWY_INLINE V3 cross(const V3 &a, const V3 &b) {
 }
 HWY_INLINE F length(const V3 &v) { return hn::Sqrt(dot(v, v)); }
 HWY_INLINE F maxComponent(const V3 &v) { return hn::Max(v.x, hn::Max(v.y, v.z)); }
-RC_STEP V3 normalizedOr(const V3 &v, F length, const V3 &fallback) {
-  const M usable = hn::And(hn::Gt(length, zero()), hn::Lt(length, all(kInfinity)));
-  return select(usable, V3{hn::Div(v.x, length), hn::Div(v.y, length), hn::Div(v.z, length)}, fallback);
+// As in base/vec.h.
+HWY_INLINE M isLength(F length) { return hn::And(hn::Gt(length, zero()), hn::Lt(length, all(kInfinity))); }
+RC_STEP V3 directionOf(const V3 &v, F length, const V3 &fallback) {
+  return select(isLength(length), hn::Div(all(1), length) * v, fallback);
 }
-RC_STEP V3 normalizedOr(const V3 &v, const V3 &fallback) { return normalizedOr(v, length(v), fallback); }
+RC_STEP V3 directionOf(const V3 &v, const V3 &fallback) { return directionOf(v, length(v), fallback); }
+RC_STEP V3 normalizedOr(const V3 &v, const V3 &fallback) {
+  const F size = length(v);
+  return select(isLength(size), V3{hn::Div(v.x, size), hn::Div(v.y, size), hn::Div(v.z, size)}, fallback);
+}
 
 // The items of a column from `first` on. Columns have room for a vector behind their end.
 HWY_INLINE F load(const hal::Column<float> &column, size_t first) { return hn::LoadU(FTag(), column.data() + first); }
@@ -140,7 +145,7 @@ RC_STEP void addToPixels(const V3 &colour, M mask, U pixel, const hal::PixelSums
   const uint32_t first = hn::GetLane(pixel);
   float *const columns[3] = {sums.red, sums.green, sums.blue};
   const F values[3] = {counted.x, counted.y, counted.z};
-  const auto follows = hn::Eq(pixel, hn::Iota(du, first));
+  const auto follows = hn::Eq(pixel, countFrom(du, first));
   if (none(hn::AndNot(hn::RebindMask(d, follows), mask))) {
     for (size_t k = 0; k < 3; ++k)
       hn::StoreU(hn::Add(hn::LoadU(d, columns[k] + first), values[k]), d, columns[k] + first);

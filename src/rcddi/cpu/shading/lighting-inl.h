@@ -43,29 +43,25 @@ RC_STEP F attenuation(const hal::LightRow &light, F distance) {
   return hn::Mul(factor, hn::Min(hn::Max(left, zero()), all(1)));
 }
 
-HWY_INLINE V3 directionOf(const V3 &towards, F distance, const V3 &fallback) {
-  const M usable = hn::And(hn::Gt(distance, zero()), hn::Lt(distance, all(kInfinity)));
-  return select(usable, hn::Div(all(1), distance) * towards, fallback);
-}
-
 HWY_INLINE bool isDark(const Rgb &colour) { return !(rc::maxComponent(colour) > 0); }
 
-RC_STEP size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour, U pixel,
-                              M asked, hal::ShadowQueue &queue) {
+RC_STEP size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour,
+                              const RayLanes &rays, M asked, hal::ShadowQueue &queue) {
   const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
   append(start(surface, direction), asked, end, queue.origin);
   append(direction, asked, end, queue.direction);
   append(colour, asked, end, queue.colour);
   append(distance, asked, end, queue.distance);
-  append(pixel, asked, end, queue.pixel);
+  append(rays.pixel, asked, end, queue.pixel);
+  append(rays.primitive, asked, end, queue.from);
   queue.pixel.resize(end + count);
   return count;
 }
 
 // Adds the light to `own` where no shadow can be; asks its queue elsewhere. Returns how many shadow rays that made.
 RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::MaterialRow &material,
-                        const SurfaceLanes &surface, const V3 &view, const ColourLanes &colours, M shaded, U pixel,
-                        hal::ShadowQueue &queue, V3 &own) {
+                        const SurfaceLanes &surface, const V3 &view, const ColourLanes &colours, M shaded,
+                        const RayLanes &rays, hal::ShadowQueue &queue, V3 &own) {
   const V3 towards = light.directional ? all(light.position) : all(light.position) - surface.position;
   const F distance = light.directional ? all(kInfinity) : length(towards);
   const V3 direction = light.directional ? towards : directionOf(towards, distance, surface.normal);
@@ -86,7 +82,7 @@ RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::Mat
   direct = colours.weight * (hn::Mul(strength, cosine) * direct);
   const M lit = hn::And(facing, hn::Gt(maxComponent(direct), zero()));
   if (none(lit)) return 0;
-  if (shadows && light.castsShadow) return pushShadowRays(surface, direction, distance, direct, pixel, lit, queue);
+  if (shadows && light.castsShadow) return pushShadowRays(surface, direction, distance, direct, rays, lit, queue);
   own = own + onlyWhere(lit, direct);
   return 0;
 }

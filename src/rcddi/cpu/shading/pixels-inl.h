@@ -43,7 +43,7 @@ HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile,
     if (camera.parallel) {
       origin = origin + x * all(camera.right) + y * all(camera.up) - before;
     } else {
-      direction = normalizedOr(inWindow - before, direction);
+      direction = directionOf(inWindow - before, direction);
     }
     const auto store = [&](const V3 &value, hal::Vec3Column &column) HWY_ATTR {
       hn::StoreU(value.x, d, &column.x[i]);
@@ -60,7 +60,7 @@ HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile,
     hn::StoreU(all(one.coneSpread), d, &rays.coneSpread[i]);
     hn::StoreU(all(one.travelled), d, &rays.travelled[i]);
     hn::StoreU(all(scene.ignorable), d, &rays.tolerance[i]);
-    hn::StoreU(hn::Iota(du, static_cast<uint32_t>(i)), du, &rays.pixel[i]);
+    hn::StoreU(countFrom(du, i), du, &rays.pixel[i]);
   }
 }
 

@@ -92,7 +92,7 @@ class Secondary {
 
  private:
   HWY_INLINE size_t bounce(const V3 &weight, const V3 &direction, F coneSpread, M traced) const {
-    const V3 unit = normalizedOr(direction, mSurface.flatNormal);
+    const V3 unit = directionOf(direction, mSurface.flatNormal);
     return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mTolerance,
                     mRays.pixel, traced, mShading.out.nextBounce);
   }

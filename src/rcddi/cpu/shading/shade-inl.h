@@ -92,8 +92,8 @@ RC_STEP void shadeLocal(const Shading &shading, const hal::MaterialRow &material
   V3 own = colours.weight * (all(material.emission) + all(scene.globalAmbient) * colours.ambient);
   const V3 view = -rays.direction;
   for (size_t i = 0; i < scene.lights.size(); ++i) {
-    shading.out.counts.shadow += addLight(scene.lights[i], scene.shadows, material, surface, view, colours, local,
-                                          rays.pixel, shading.out.shadows[i], own);
+    shading.out.counts.shadow += addLight(scene.lights[i], scene.shadows, material, surface, view, colours, local, rays,
+                                          shading.out.shadows[i], own);
   }
   addToPixels(own, local, rays.pixel, shading.out.sums);
 }
@@ -151,7 +151,7 @@ RC_STEP void shadeKind(const Shading &shading, const Kind &kind, const RayLanes 
 
 // One vector of rays.
 RC_STEP void shadeVector(const Shading &shading, size_t first) {
-  const M valid = hn::FirstN(FTag(), std::min(lanes(), shading.rays.size() - first));
+  const M valid = lanesUpTo(FTag(), first, shading.rays.size());
   RayLanes rays = loadRays(shading, first, valid);
   const M missed = hn::AndNot(rays.found, valid);
   if (!none(missed)) {
@@ -197,8 +197,13 @@ HWY_INLINE void prefetch(const T *what) {
   hwy::Prefetch(bytes + sizeof(T) - 1);
 }
 
+// So few triangles, with their attributes, are in the second-level cache as it is.
+constexpr size_t kFewTriangles = 1024;
+
 // Starts to fetch the triangles that were hit: when their vectors are shaded, they are there.
 HWY_INLINE void prefetchTriangles(const Shading &shading) {
+  const auto &sets = shading.scene.geometry;
+  if (sets[0].triangles.size() + sets[1].triangles.size() <= kFewTriangles) return;
   uint32_t last = hal::kNoPrimitive;
   for (size_t i = 0; i < shading.rays.size(); ++i) {
     const uint32_t primitive = shading.hits[i].primitive;

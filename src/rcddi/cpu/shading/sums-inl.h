@@ -19,7 +19,7 @@ HWY_INLINE void addUnblocked(const hal::ShadowQueue &shadows, const uint8_t *blo
   const hn::Rebind<uint8_t, FTag> bytes;
   for (size_t i = 0; i < shadows.size(); i += lanes()) {
     const I dark = hn::PromoteTo(ITag(), hn::LoadU(bytes, blocked + i));
-    const M inside = hn::FirstN(d, std::min(lanes(), shadows.size() - i));
+    const M inside = lanesUpTo(d, i, shadows.size());
     const M lit = hn::And(inside, hn::RebindMask(d, hn::Eq(dark, hn::Zero(ITag()))));
     if (none(lit)) continue;
     addToPixels(load(shadows.colour, i), lit, load(shadows.pixel, i), sums);
