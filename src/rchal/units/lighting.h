@@ -38,7 +38,8 @@ inline float spotFactor(const LightRow &light, const Vec3 &direction) {
 
 inline float attenuation(const LightRow &light, float distance) {
   if (light.directional) return 1;
-  const float divisor = light.constant + distance * (light.linear + distance * light.quadratic);
+  const float divisor =
+      light.fades() ? light.constant + distance * (light.linear + distance * light.quadratic) : light.constant;
   const float factor = divisor > 0 ? 1 / divisor : 1;  // coefficients of (0, 0, 0) mean none
   if (light.rangeEnd <= light.rangeStart) return factor;
   return factor * std::clamp((light.rangeEnd - distance) / (light.rangeEnd - light.rangeStart), 0.0f, 1.0f);

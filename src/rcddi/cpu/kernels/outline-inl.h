@@ -35,10 +35,11 @@ struct alignas(64) Outlines {
   float bounds[kOutlineBounds][kLanes];
 };
 
-// A corner in slopes, relative to the middle of the beam's.
+// A corner in slopes, relative to the middle of the beam's; its depth.
 template <class V>
 struct Seen {
   V x, y, z;
+  V closeness;  // 1 / |z|
 };
 
 // What of three corners the outline is. All depths must have one sign. Returns where they do not, or where the numbers
@@ -59,7 +60,7 @@ HWY_INLINE hn::Mask<D> setOutline(D d, const Seen<V> (&seen)[3], V (&out)[kOutli
   const V xExtent = hn::Sub(xMost, xLeast), yExtent = hn::Sub(yMost, yLeast);
   out[kXReach] = hn::MulAdd(xExtent, half, error);
   out[kYReach] = hn::MulAdd(yExtent, half, error);
-  out[kCloseness] = hn::Div(hn::Set(d, 1.0f), closest);
+  out[kCloseness] = hn::Max(hn::Max(a.closeness, b.closeness), c.closeness);
   const V depthMargin = hn::Mul(hn::Max(hn::Abs(front), hn::Abs(back)), hn::Set(d, 0x1p-19f));
   out[kFront] = hn::Sub(front, depthMargin);
   out[kBack] = hn::Add(back, depthMargin);
@@ -154,7 +155,7 @@ HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Ba
     for (size_t v = 0; v < 3; ++v) {
       const auto [x, y, z] = cornerAt(v);
       const V inverse = hn::Div(hn::Set(d, 1.0f), z);
-      seen[v] = {hn::MulSub(x, inverse, xSlope), hn::MulSub(y, inverse, ySlope), z};
+      seen[v] = {hn::MulSub(x, inverse, xSlope), hn::MulSub(y, inverse, ySlope), z, hn::Abs(inverse)};
     }
     V bounds[kOutlineBounds];
     const auto open = setOutline(d, seen, bounds);

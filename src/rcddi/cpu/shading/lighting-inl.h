@@ -35,9 +35,14 @@ RC_STEP F spotFactor(const hal::LightRow &light, const V3 &direction) {
 
 RC_STEP F attenuation(const hal::LightRow &light, F distance) {
   if (light.directional) return all(1);
-  const F polynomial = hn::Add(all(light.linear), hn::Mul(distance, all(light.quadratic)));
-  const F divisor = hn::Add(all(light.constant), hn::Mul(distance, polynomial));
-  const F factor = select(hn::Gt(divisor, zero()), hn::Div(all(1), divisor), all(1));
+  F factor;
+  if (light.fades()) {
+    const F polynomial = hn::Add(all(light.linear), hn::Mul(distance, all(light.quadratic)));
+    const F divisor = hn::Add(all(light.constant), hn::Mul(distance, polynomial));
+    factor = select(hn::Gt(divisor, zero()), hn::Div(all(1), divisor), all(1));
+  } else {
+    factor = all(light.constant > 0 ? 1 / light.constant : 1);
+  }
   if (light.rangeEnd <= light.rangeStart) return factor;
   const F left = hn::Div(hn::Sub(all(light.rangeEnd), distance), all(light.rangeEnd - light.rangeStart));
   return hn::Mul(factor, hn::Min(hn::Max(left, zero()), all(1)));

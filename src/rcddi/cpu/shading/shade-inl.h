@@ -189,12 +189,11 @@ HWY_INLINE void settle(const Shading &shading) {
   for (size_t i = 0; i < shading.scene.lights.size(); ++i) out.shadows[i].resize(out.shadows[i].size());
 }
 
-// Starts to fetch something, wherever in a cache line it begins.
-template <class T>
-HWY_INLINE void prefetch(const T *what) {
-  const auto *bytes = reinterpret_cast<const char *>(what);
-  for (size_t i = 0; i < sizeof(T); i += 64) hwy::Prefetch(bytes + i);
-  hwy::Prefetch(bytes + sizeof(T) - 1);
+// Starts to fetch so many bytes, wherever in a cache line they begin.
+HWY_INLINE void prefetch(const void *what, size_t size) {
+  const auto *bytes = static_cast<const char *>(what);
+  for (size_t i = 0; i < size; i += 64) hwy::Prefetch(bytes + i);
+  hwy::Prefetch(bytes + size - 1);
 }
 
 // So few triangles, with their attributes, are in the second-level cache as it is.
@@ -204,14 +203,17 @@ constexpr size_t kFewTriangles = 1024;
 HWY_INLINE void prefetchTriangles(const Shading &shading) {
   const auto &sets = shading.scene.geometry;
   if (sets[0].triangles.size() + sets[1].triangles.size() <= kFewTriangles) return;
+  // Plane and normals come first; the rest mostly goes with textures.
+  const size_t attributes =
+      shading.scene.textures.empty() ? offsetof(hal::TriangleAttributes, uv) : sizeof(hal::TriangleAttributes);
   uint32_t last = hal::kNoPrimitive;
   for (size_t i = 0; i < shading.rays.size(); ++i) {
     const uint32_t primitive = shading.hits[i].primitive;
     if (primitive == last || primitive == hal::kNoPrimitive) continue;
     last = primitive;
     const auto [geometry, index] = hal::placeOf(shading.scene, primitive);
-    prefetch(geometry.triangles.data() + index);
-    prefetch(geometry.attributes.data() + index);
+    prefetch(geometry.triangles.data() + index, sizeof(hal::HotTriangle));
+    prefetch(geometry.attributes.data() + index, attributes);
   }
 }
 
