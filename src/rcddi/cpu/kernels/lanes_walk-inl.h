@@ -24,8 +24,6 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 constexpr size_t kFewRays = HWY_MAX_BYTES >= 64 ? 5 : 9;
 
 // Where the rays meet the boxes of the children. There is no branch on a single child: it cannot be foretold.
-// kAlike: SlabRays::alike; then all rays meet the same plane of each axis first.
-template <bool kAlike>
 HWY_INLINE ChildrenMet meetChildren(const hal::BvhNode8 &node, const SlabRays &rays, const float *entered,
                                     const float *end) {
   const D16 d;
@@ -44,18 +42,9 @@ HWY_INLINE ChildrenMet meetChildren(const hal::BvhNode8 &node, const SlabRays &r
     for (uint32_t child = 0; child < hal::BvhNode8::kWidth; ++child) {
       V near = hn::Load(d, entered + i), far = hn::Load(d, end + i);
       const auto cut = [&](int axis, auto backwards) HWY_ATTR {
-        const auto &planes = node.planes[axis];
-        V first, last;
-        if constexpr (kAlike) {
-          first = hn::Set(d, planes[rays.backwards[axis]][child]);
-          last = hn::Set(d, planes[!rays.backwards[axis]][child]);
-        } else {
-          const V lower = hn::Set(d, planes[0][child]), upper = hn::Set(d, planes[1][child]);
-          first = hn::IfThenElse(backwards, upper, lower);
-          last = hn::IfThenElse(backwards, lower, upper);
-        }
-        near = hn::Max(near, hn::MulSub(first, nearInverse[axis], nearStart[axis]));
-        far = hn::Min(far, hn::MulSub(last, farInverse[axis], farStart[axis]));
+        const V lower = hn::Set(d, node.planes[axis][0][child]), upper = hn::Set(d, node.planes[axis][1][child]);
+        near = hn::Max(near, hn::MulSub(hn::IfThenElse(backwards, upper, lower), nearInverse[axis], nearStart[axis]));
+        far = hn::Min(far, hn::MulSub(hn::IfThenElse(backwards, lower, upper), farInverse[axis], farStart[axis]));
       };
       cut(0, backX);
       cut(1, backY);
@@ -114,8 +103,7 @@ HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t pac
     } else {
       std::memcpy(entered, at.near, sizeof entered);
       const hal::BvhNode8 &node = accel.bvhNodes[child];
-      const ChildrenMet children =
-          rays.alike ? meetChildren<true>(node, rays, entered, end) : meetChildren<false>(node, rays, entered, end);
+      const ChildrenMet children = meetChildren(node, rays, entered, end);
       // Nearest first, as the first ray sees it.
       const size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(active);
       float keys[hal::BvhNode8::kWidth];

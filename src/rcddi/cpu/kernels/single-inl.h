@@ -22,14 +22,11 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 struct alignas(64) SlabRays {
   float nearInverse[3][kPacketRays], nearStart[3][kPacketRays];
   float farInverse[3][kPacketRays], farStart[3][kPacketRays];
-  bool alike;         // in each axis all rays go the same way:
-  bool backwards[3];  // against it
 };
 constexpr float kFarther = 1 + 2 * hal::kSlack;
 
 HWY_INLINE void setUp(const Batch &batch, size_t packet, SlabRays &out) {
   const D16 d;
-  uint32_t negative[3] = {};
   for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
     const size_t from = packet * kPacketRays + i;
     for (int axis = 0; axis < 3; ++axis) {
@@ -37,18 +34,11 @@ HWY_INLINE void setUp(const Batch &batch, size_t packet, SlabRays &out) {
       const auto inverse = inverseOf(d, direction);
       const auto start = hn::Mul(hn::LoadU(d, batch.origin[axis] + from), inverse);
       const auto error = hn::Mul(hn::Abs(start), hn::Set(d, 0x1p-21f)), farther = hn::Set(d, kFarther);
-      negative[axis] |= bitsOf(d, hn::Lt(inverse, hn::Zero(d))) << i;
       hn::Store(inverse, d, out.nearInverse[axis] + i);
       hn::Store(hn::Mul(inverse, farther), d, out.farInverse[axis] + i);
       hn::Store(hn::Add(start, error), d, out.nearStart[axis] + i);
       hn::Store(hn::Mul(hn::Sub(start, error), farther), d, out.farStart[axis] + i);
     }
-  }
-  constexpr uint32_t kAll = (1u << kPacketRays) - 1;
-  out.alike = true;
-  for (int axis = 0; axis < 3; ++axis) {
-    out.backwards[axis] = negative[axis] == kAll;
-    out.alike &= negative[axis] == 0 || out.backwards[axis];
   }
 }
 
