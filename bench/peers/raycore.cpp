@@ -35,7 +35,7 @@ class RaycoreTracer final : public Tracer {
     const ddi::cpu::RayStream stream{{rays.column(0) + begin, rays.column(1) + begin, rays.column(2) + begin},
                                      {rays.column(3) + begin, rays.column(4) + begin, rays.column(5) + begin},
                                      end - begin,
-                                     kind == kPrimary || getenv("NOFROM") ? nullptr : rays.from() + begin};
+                                     kind == kShadow ? rays.from() + begin : nullptr};
     if (kind == kShadow) {
       uint8_t blocked[kMost];
       ddi::cpu::findBlocked(mView, stream, rays.column(6) + begin, blocked, nullptr);

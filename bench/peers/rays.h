@@ -34,7 +34,7 @@ class RayBatch {
   Vec3 origin(size_t i) const { return {column(0)[i], column(1)[i], column(2)[i]}; }
   Vec3 direction(size_t i) const { return {column(3)[i], column(4)[i], column(5)[i]}; }
   float tMax(size_t i) const { return column(6)[i]; }
-  const uint32_t *from() const { return mFrom.data(); }
+  const uint32_t *from() const { return mFrom.data(); }  // the triangle each ray starts on and cannot meet; kMiss: none
 
  private:
   struct Item {

@@ -33,7 +33,7 @@ struct alignas(64) Batch {
   float slowest, fastest;                 // of the directions, along z
   float start, end;                       // where the first ray starts and the last one ends, along zSign * z
   const float *origin[3], *direction[3];  // in world axes
-  const uint32_t *from;                   // see RayStream; null: not known
+  const uint32_t *from;                   // see RayStream; may be null
   alignas(64) float sx[kBatchRays], sy[kBatchRays], sz[kBatchRays];
   float t[kBatchRays];  // of the best hit, or how far to look; -infinity: needs no more
   float u[kBatchRays], v[kBatchRays];

@@ -125,7 +125,8 @@ HWY_INLINE void setPlanes(D d, hn::Mask<D> where, const Corner<V> (&corners)[3],
 // The edges for single rays, which go by the point where they meet by `reach` at most.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void widenForRays(D d, float reach, V (&out)[kOutlineBounds]) {
-  const V room = hn::MulAdd(out[kCloseness], hn::Set(d, reach), hn::Set(d, kSlopeMargin));
+  const V most = hn::Set(d, 1e30f);  // not infinite: edges that are nothing times that would be no number
+  const V room = hn::Min(hn::MulAdd(out[kCloseness], hn::Set(d, reach), hn::Set(d, kSlopeMargin)), most);
   for (size_t k = 0; k < 3; ++k) {
     const V *edge = out + kEdges + 3 * k;
     out[kWide + k] = hn::MulAdd(hn::Add(hn::Abs(edge[0]), hn::Abs(edge[1])), room, edge[2]);
@@ -172,7 +173,8 @@ HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Ba
   }
 }
 
-// The rays of these slopes, relative to the middle of the beam's, that may meet the triangle.
+// The rays of these slopes, relative to the middle of the beam's, that may meet the triangle. Slopes that are no
+// numbers meet nothing.
 HWY_INLINE hn::Mask<D16> mayMeet(const Outlines &outlines, size_t triangle, hn::Vec<D16> x, hn::Vec<D16> y) {
   const D16 d;
   const auto side = [&](size_t k) HWY_ATTR {
