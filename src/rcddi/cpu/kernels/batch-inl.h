@@ -34,16 +34,16 @@ struct alignas(64) Batch {
   float start, end;                       // where the first ray starts and the last one ends, along zSign * z
   const float *origin[3], *direction[3];  // in world axes
   const uint32_t *from;                   // see RayStream; may be null
+  size_t first;                           // of the group in the stream
+  FilterHits *filters;                    // where rays that ask what blocks them cross filters; may be null
   alignas(64) float sx[kBatchRays], sy[kBatchRays], sz[kBatchRays];
   float t[kBatchRays];  // of the best hit, or how far to look; -infinity: needs no more
   float u[kBatchRays], v[kBatchRays];
   uint32_t primitive[kBatchRays];
-  size_t first;  // of the group in the stream
   // If the batch is not in place: which rays of the group it has, and what origin, direction and from point to.
   uint32_t index[kRoom];
   float columns[6][kRoom];
   uint32_t fromColumn[kRoom];
-  FilterHits *filters;  // where rays that ask what blocks them cross filters; may be null
 
   hal::Ray ray(size_t i) const {
     return {{origin[0][i], origin[1][i], origin[2][i]}, {direction[0][i], direction[1][i], direction[2][i]}};
