@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddk/frame_stats.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace rc::ddk {
@@ -40,7 +41,7 @@ std::string shares(const hal::UnitTimes &times) {
   std::string text;
   for (const auto &row : rows) {
     text += (text.empty() ? " (" : ", ") + std::string(row.unit) + " " +
-            count(uint64_t(100 * row.seconds / times.all() + 0.5)) + " %";
+            count(uint64_t(std::llround(100 * row.seconds / times.all()))) + " %";
   }
   return text + ")";
 }

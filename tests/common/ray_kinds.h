@@ -29,11 +29,11 @@ inline std::string nameOf(AccelKind kind) {
 // From one point through a window, in rows of 16 as tiles have them.
 inline std::vector<hal::Ray> cameraRays(size_t count, const Vec3 &eye, const Vec3 &forward, const Vec3 &side) {
   const Vec3 up = glm::cross(side, forward);
-  const auto rows = static_cast<float>((count + 15) / 16);
+  const size_t rows = (count + 15) / 16;
   std::vector<hal::Ray> rays;
   for (size_t i = 0; i < count; ++i) {
     const auto column = i % 16, row = i / 16;
-    const float x = float(column) / 16 - 0.47f, y = float(row) / rows - 0.5f;
+    const float x = float(column) / 16 - 0.47f, y = float(row) / float(rows) - 0.5f;
     rays.push_back({eye, glm::normalize(forward + x * side + y * up)});
   }
   return rays;

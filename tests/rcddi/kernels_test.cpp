@@ -211,7 +211,8 @@ TEST(KernelOrigins, TrianglesThatARayCannotMeetChangeNothing) {
   std::vector<Ray> rays;
   std::vector<uint32_t> origins, neighbours;
   for (size_t i = 0; i < 64 * 64; ++i) {
-    const Ray down{{float(i % 64) / 16 - 1.97f, 0.9f, float(i / 64) / 16 - 1.96f}, {0, -1, 0}};
+    const size_t column = i % 64, row = i / 64;
+    const Ray down{{float(column) / 16 - 1.97f, 0.9f, float(row) / 16 - 1.96f}, {0, -1, 0}};
     const Hit hit = closestHit(view, down);
     ASSERT_TRUE(hit.found());
     const SurfacePoint point = surfacePoint(view.geometry[0], hit.primitive, hit, down.direction);

@@ -39,7 +39,8 @@ Scene spheres() {
   clear.doubleSided = false;
   const std::array<int, 3> materials{metal, glass, matt};
   for (int i = 0; i < 25; ++i) {
-    const Vec3 centre(float(i % 5) * 1.1f, 0.5f, float(i / 5) * 1.1f);
+    const int column = i % 5, row = i / 5;
+    const Vec3 centre(float(column) * 1.1f, 0.5f, float(row) * 1.1f);
     addBody(scene, sphere(centre, 0.5f, 64, 32), materials[size_t(i) % 3]);
   }
   return scene;
