@@ -27,7 +27,9 @@ constexpr const char *kFooter =
     "Exit codes: 0 done, 1 bad input or output, 2 wrong usage, 130 interrupted.\n"
     "RAYCORE_DEVICE, RAYCORE_THREADS, RAYCORE_ACCEL and RAYCORE_LOG choose how the library traces.";
 
-int run(const Action &action) {
+// Whatever goes wrong is said in one line.
+template <class Action>
+int guarded(Action &&action) {
   try {
     return action();
   } catch (const std::bad_alloc &) {
@@ -67,7 +69,7 @@ int parseAndRun(int argc, char **argv) {
     return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error, argc > 1 ? argv[1] : "");
   }
   for (const Command &command : commands) {
-    if (command.app->parsed()) return run(command.run);
+    if (command.app->parsed()) return command.run();
   }
   return kWrongUsage;
 }
@@ -76,5 +78,5 @@ int parseAndRun(int argc, char **argv) {
 
 int main(int argc, char **argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error of writing
-  return parseAndRun(argc, argv);
+  return guarded([&] { return parseAndRun(argc, argv); });
 }

@@ -38,10 +38,11 @@ Scene spheres() {
   clear.thickness = 1;
   clear.doubleSided = false;
   const std::array<int, 3> materials{metal, glass, matt};
-  for (int i = 0; i < 25; ++i) {
-    const int column = i % 5, row = i / 5;
-    const Vec3 centre(float(column) * 1.1f, 0.5f, float(row) * 1.1f);
-    addBody(scene, sphere(centre, 0.5f, 64, 32), materials[size_t(i) % 3]);
+  for (size_t row = 0; row < 5; ++row) {
+    for (size_t column = 0; column < 5; ++column) {
+      const Vec3 centre(float(column) * 1.1f, 0.5f, float(row) * 1.1f);
+      addBody(scene, sphere(centre, 0.5f, 64, 32), materials[(5 * row + column) % 3]);
+    }
   }
   return scene;
 }

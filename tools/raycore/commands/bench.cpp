@@ -88,6 +88,7 @@ Json run(const BenchOptions &options, const Task &task, Scene scene) {
 Json runAll(const BenchOptions &options) {
   const std::vector<Task> tasks = tasksOf(options);
   std::vector<Scene> scenes;
+  scenes.reserve(tasks.size());
   for (const Task &task : tasks) scenes.push_back(task.make ? task.make() : loadNamed(task.file, options.load));
   Json results = Json::array();
   Progress progress("scene", int(tasks.size()), options.load.quiet);

@@ -17,6 +17,7 @@ std::vector<std::string> namesOf(const std::vector<OptionOutline> &options) {
 
 std::vector<std::string> namesOf(const std::vector<CommandOutline> &commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const CommandOutline &command : commands) names.push_back(command.name);
   return names;
 }

@@ -24,6 +24,7 @@ Command addGenerate(CLI::App &app) {
   CLI::App *command = app.add_subcommand("generate", "Completions for a shell, or the manual page");
   auto kind = std::make_shared<std::string>();
   std::vector<std::string> kinds;
+  kinds.reserve(kGenerators.size());
   for (const auto &[name, generator] : kGenerators) kinds.push_back(name);
   command->add_option("kind", *kind, "bash, zsh, fish or man")->required()->check(CLI::IsMember(kinds));
   command->footer(

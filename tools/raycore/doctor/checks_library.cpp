@@ -20,8 +20,6 @@
 #include "draw/target.h"
 #include "load/error.h"
 
-extern char **environ;
-
 namespace rc::tool {
 namespace {
 

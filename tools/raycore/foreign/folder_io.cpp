@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <sstream>
 #include <string_view>
 
@@ -37,7 +36,7 @@ std::string knownRecords(const std::string &text) {
 Assimp::IOStream *materialStream(const char *file) {
   const std::string text = knownRecords(tool::readFile(file));
   auto *bytes = new uint8_t[text.size()];
-  std::memcpy(bytes, text.data(), text.size());
+  std::copy(text.begin(), text.end(), bytes);
   return new Assimp::MemoryIOStream(bytes, text.size(), true);  // which deletes them
 }
 

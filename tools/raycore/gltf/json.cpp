@@ -15,7 +15,7 @@ Value Value::operator[](const char *key) const {
 }
 
 Value Value::at(const char *key) const {
-  const Value value = (*this)[key];
+  Value value = (*this)[key];
   if (!value) value.complain("is missing");
   return value;
 }

@@ -14,8 +14,6 @@
 #include "load/error.h"
 #include "load/file.h"
 
-extern char **environ;
-
 namespace rc::tool {
 namespace {
 
@@ -23,6 +21,7 @@ namespace fs = std::filesystem;
 
 int runFfmpeg(const std::vector<std::string> &arguments) {
   std::vector<char *> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (const std::string &argument : arguments) pointers.push_back(const_cast<char *>(argument.c_str()));
   pointers.push_back(nullptr);
   pid_t child = 0;
