@@ -7,6 +7,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 bash scripts/setup.sh
+[ -x build/release/examples/09_4_cornell_box ] || echo "Building: some minutes, the first time."
 cmake --preset release >/dev/null
 cmake --build --preset release -- --quiet
 mkdir -p out

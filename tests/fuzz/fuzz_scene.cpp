@@ -18,7 +18,7 @@
 #include "gltf/parts.h"
 #include "input.h"
 #include "load/archive.h"
-#include "load/error.h"
+#include "input/error.h"
 #include "load/load.h"
 
 namespace rc::fuzz {

@@ -2,13 +2,34 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The raycore authors
 #
-# Reads every #include of src/ and examples/ against the picture of the layers in docs/data_path.md.
+# Reads every #include of src/, examples/ and tools/ against the picture of the layers in docs/data_path.md.
 set -u
 cd "$1" || exit 2
 failed=0
 
-# layer, then the folders of src/ it may include besides its own
-rules="base:
+# check ROOT: the lines of standard input are folders of it, each with those that it may include besides its own.
+check() {
+  local root=$1 layer allowed file line include other folder
+  while IFS=: read -r layer allowed; do
+    [ -d "$root/$layer" ] || { echo "$root/$layer is gone" && failed=1; }
+    while IFS=: read -r file line include; do
+      other=${include#*\"}
+      other=${other%%\"*}
+      folder=${other%%/*}
+      [ -d "$root/$folder" ] && [ "$folder" != "$other" ] || continue  # a public header, or beside the file
+      [ "$folder" = "$layer" ] && continue
+      case " $allowed " in
+        *" $folder "*) ;;
+        *)
+          echo "$file:$line: $layer must not include $other"
+          failed=1
+          ;;
+      esac
+    done < <(grep -rnE '^#include "' "$root/$layer" || true)
+  done
+}
+
+check src <<<"base:
 rchal:base
 rcddi:base rchal
 rcddk:base rchal
@@ -16,23 +37,19 @@ api:base rchal rcddk
 egl:base rchal rcddk api gl
 gl:
 framework:"
-
-while IFS=: read -r layer allowed; do
-  while IFS=: read -r file line include; do
-    other=${include#*\"}
-    other=${other%%\"*}
-    folder=${other%%/*}
-    [ -d "src/$folder" ] && [ "$folder" != "$other" ] || continue  # a public header, or beside the file
-    [ "$folder" = "$layer" ] && continue
-    case " $allowed " in
-      *" $folder "*) ;;
-      *)
-        echo "$file:$line: $layer must not include $other"
-        failed=1
-        ;;
-    esac
-  done < <(grep -rnE '^#include "' "src/$layer" || true)
-done <<<"$rules"
+check tools/raycore <<<"input:
+scene:
+codec:input scene
+gltf:input scene codec
+foreign:input scene codec
+load:input scene codec gltf foreign
+draw:input scene load
+output:input scene codec
+bench:scene draw
+measure:draw output
+doctor:input codec draw output
+view:input scene load draw output
+commands:input scene load draw output bench measure doctor view"
 
 # A device is a sibling of the others, found by name; only the registry knows them.
 while IFS= read -r match; do

@@ -19,8 +19,8 @@
 #include "codec/jpeg.h"
 #include "codec/limits.h"
 #include "codec/png.h"
-#include "load/error.h"
-#include "load/picture.h"
+#include "input/error.h"
+#include "codec/picture.h"
 
 namespace rc::tool {
 namespace {

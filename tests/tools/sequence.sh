@@ -49,7 +49,10 @@ render stopped && diff -r whole stopped >/dev/null || say "the interrupted run w
 
 # Frames that are there are left alone
 touch -d '2001-01-01' whole/f-050.png
-render whole
+rm whole/f-007.png
+"$tool" $(frames whole | sed 's/ -q$//') 2>said
+grep -q '^raycore: 99 of 100 frames are there already' said || say "no word that frames were kept"
+[ -s whole/f-007.png ] || say "what was missing was not made"
 [ "$(date -r whole/f-050.png +%Y)" = 2001 ] || say "a whole frame was made again"
 render whole --overwrite
 [ "$(date -r whole/f-050.png +%Y)" = 2001 ] && say "--overwrite left a frame"

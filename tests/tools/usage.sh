@@ -36,6 +36,7 @@ expect 2 '^raycore render: model is required' "$tool" render
 expect 2 '^raycore render --help tells more' "$tool" render
 expect 2 '^raycore info: not understood: --nowhere$' "$tool" --nowhere info "$model"
 expect 2 '^raycore info: not understood: --nothing 4' "$tool" info "$model" --nothing 4
+expect 2 '^raycore render: not understood: --outptu a.png; --output is required$' "$tool" render "$model" --outptu a.png
 expect 2 'size.*0x10.* is not two whole numbers from 1 to 16384' "$tool" render "$model" -o a.png --size 0x10
 expect 2 'samples' "$tool" render "$model" -o a.png --samples 65
 expect 1 '^raycore: missing.glb: cannot be opened: No such file' "$tool" info missing.glb

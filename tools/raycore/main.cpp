@@ -45,11 +45,12 @@ int refuse(const CLI::App &app, const CLI::Error &error, const std::string &firs
   const std::vector<CLI::App *> chosen = app.get_subcommands();
   const std::string command = chosen.empty() ? "raycore" : "raycore " + chosen.front()->get_name();
   std::string wrong = error.what();
-  // CLI11 names them from behind: a value before the option it was meant for.
-  if (dynamic_cast<const CLI::ExtrasError *>(&error)) {
-    std::vector<std::string> rest = app.remaining();  // before the command
-    if (!chosen.empty()) std::ranges::copy(chosen.front()->remaining(), std::back_inserter(rest));
-    wrong = fmt::format("not understood: {}", fmt::join(rest, " "));
+  std::vector<std::string> rest = app.remaining();  // before the command
+  if (!chosen.empty()) std::ranges::copy(chosen.front()->remaining(), std::back_inserter(rest));
+  // CLI11 names them from behind: a value before the option it was meant for. What is missing may be misspelt.
+  const bool missing = dynamic_cast<const CLI::RequiredError *>(&error);
+  if (!rest.empty() && (missing || dynamic_cast<const CLI::ExtrasError *>(&error))) {
+    wrong = fmt::format("not understood: {}{}", fmt::join(rest, " "), missing ? "; " + wrong : "");
   }
   if (chosen.empty() && !first.empty() && first[0] != '-') wrong = "there is no command \"" + first + "\"";
   std::fprintf(stderr, "%s: %s\n%s --help tells more\n", command.c_str(), wrong.c_str(), command.c_str());

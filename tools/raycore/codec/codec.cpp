@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 namespace {

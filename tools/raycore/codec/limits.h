@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 

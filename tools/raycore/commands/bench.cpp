@@ -11,11 +11,11 @@
 
 #include "bench/scenes.h"
 #include "commands/commands.h"
-#include "commands/machine.h"
-#include "commands/named_load.h"
+#include "doctor/machine.h"
+#include "commands/load_options.h"
 #include "commands/show_options.h"
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 #include "measure/measurement.h"
 #include "output/picture_file.h"
 #include "output/progress.h"
@@ -89,7 +89,7 @@ Json runAll(const BenchOptions &options) {
   const std::vector<Task> tasks = tasksOf(options);
   std::vector<Scene> scenes;
   scenes.reserve(tasks.size());
-  for (const Task &task : tasks) scenes.push_back(task.make ? task.make() : loadNamed(task.file, options.load));
+  for (const Task &task : tasks) scenes.push_back(task.make ? task.make() : loadNamed(task.file));
   Json results = Json::array();
   Progress progress("scene", int(tasks.size()), options.load.quiet);
   for (size_t i = 0; i < tasks.size(); ++i) {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
-#include "commands/named_load.h"
+#include "commands/load_options.h"
 #include "draw/surface.h"
 #include "scene/pose.h"
 
@@ -169,7 +169,7 @@ struct InfoOptions {
 };
 
 int info(const InfoOptions &options) {
-  Scene scene = loadNamed(options.input, options.load);
+  Scene scene = loadNamed(options.input);
   for (const Material &material : std::vector<Material>(scene.materials)) noteApproximations(material, scene);
   const Json json = about(options.input, scene);
   if (options.json) {

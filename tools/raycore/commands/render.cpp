@@ -5,11 +5,12 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "commands/commands.h"
-#include "commands/named_load.h"
+#include "commands/load_options.h"
 #include "commands/show_options.h"
-#include "load/error.h"
+#include "input/error.h"
 #include "output/picture_file.h"
 #include "output/progress.h"
 #include "output/sequence.h"
@@ -61,21 +62,35 @@ void report(const RenderOptions &options, const Show &show, const std::string &f
   }
 }
 
-// Makes what is missing; false after an interruption.
-bool makeFrames(const RenderOptions &options, Show &show, const FrameRange &range, const std::string &pattern) {
-  Progress progress("frame", range.count(), options.load.quiet);
-  long long rays = 0;
-  double seconds = 0;
+// Frames that are there may be of another model or other options: that they are kept is said.
+std::vector<int> missingFrames(const RenderOptions &options, const FrameRange &range, const std::string &pattern) {
+  std::vector<int> missing;
   for (int frame = range.first; frame <= range.last; ++frame) {
     const std::string file = fileOfFrame(pattern, frame);
-    if (options.overwrite || !isWholePicture(file, options.show.width, options.show.height)) {
-      writePicture(show.picture(float(frame / options.fps)), file);
-      rays += show.statistics().rays;
-      seconds += show.statistics().traceSeconds;
-      report(options, show, file, frame);
-    }
-    progress.done(frame - range.first + 1, rays, seconds);
-    if (gInterrupted && frame < range.last) return false;
+    if (options.overwrite || !isWholePicture(file, options.show.width, options.show.height)) missing.push_back(frame);
+  }
+  const int kept = range.count() - int(missing.size());
+  if (kept > 0 && !options.load.quiet) {
+    fmt::print(stderr, "raycore: {} of {} frames are there already and are kept (--overwrite makes them again)\n", kept,
+               range.count());
+  }
+  return missing;
+}
+
+// Makes what is missing; false after an interruption.
+bool makeFrames(const RenderOptions &options, Show &show, const FrameRange &range, const std::string &pattern) {
+  const std::vector<int> missing = missingFrames(options, range, pattern);
+  Progress progress("frame", int(missing.size()), options.load.quiet);
+  long long rays = 0;
+  double seconds = 0;
+  for (size_t i = 0; i < missing.size(); ++i) {
+    const std::string file = fileOfFrame(pattern, missing[i]);
+    writePicture(show.picture(float(missing[i] / options.fps)), file);
+    rays += show.statistics().rays;
+    seconds += show.statistics().traceSeconds;
+    report(options, show, file, missing[i]);
+    progress.done(int(i) + 1, rays, seconds);
+    if (gInterrupted && i + 1 < missing.size()) return false;
   }
   return true;
 }
@@ -124,7 +139,7 @@ void chooseAnimation(const Scene &scene, RenderOptions &options) {
 int render(RenderOptions options) {
   check(options);
   const FrameRange asked = options.frames.empty() ? FrameRange{} : rangeFrom(options.frames);
-  Scene scene = loadNamed(options.input, options.load);
+  Scene scene = loadNamed(options.input);
   chooseAnimation(scene, options);
   Show show(std::move(scene), options.show);
   printNotes(options.input, show.scene(), options.load);

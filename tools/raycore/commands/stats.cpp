@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
-#include "commands/named_load.h"
+#include "commands/load_options.h"
 #include "commands/show_options.h"
 #include "measure/measurement.h"
 #include "measure/ray_cost.h"
@@ -50,7 +50,7 @@ void print(const StatsOptions &options, const Measurement &m) {
 
 int stats(const StatsOptions &options) {
   if (!options.heatMap.empty()) checkPictureName(options.heatMap);
-  Show show(loadNamed(options.input, options.load), options.show);
+  Show show(loadNamed(options.input), options.show);
   const Measurement measurement = measure(show, options.repeat);
   if (!options.heatMap.empty()) writePicture(heatMap(rayCosts(show)), options.heatMap);
   if (!options.json) {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
-#include "commands/machine.h"
+#include "doctor/machine.h"
 #include "draw/target.h"
 
 namespace rc::tool {

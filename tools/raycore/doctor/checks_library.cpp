@@ -18,7 +18,7 @@
 
 #include "doctor/checks.h"
 #include "draw/target.h"
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 namespace {

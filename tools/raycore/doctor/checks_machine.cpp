@@ -14,9 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "codec/codec.h"
-#include "commands/machine.h"
+#include "doctor/machine.h"
 #include "doctor/checks.h"
-#include "load/error.h"
+#include "input/error.h"
 #include "output/video.h"
 
 namespace rc::tool {

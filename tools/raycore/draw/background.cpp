@@ -4,8 +4,8 @@
 #include <charconv>
 
 #include "draw/stage.h"
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 #include "load/load.h"
 
 namespace rc::tool {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 namespace {

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 namespace {

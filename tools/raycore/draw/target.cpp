@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 namespace {

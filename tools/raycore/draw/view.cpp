@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 namespace {

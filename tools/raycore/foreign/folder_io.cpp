@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "load/file.h"
+#include "input/file.h"
 
 namespace rc::tool::foreign {
 namespace {

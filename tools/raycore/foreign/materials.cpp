@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "foreign/convert.h"
-#include "load/error.h"
-#include "load/file.h"
-#include "load/picture.h"
+#include "input/error.h"
+#include "input/file.h"
+#include "codec/picture.h"
 
 namespace rc::tool::foreign {
 namespace {

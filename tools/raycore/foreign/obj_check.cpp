@@ -5,7 +5,7 @@
 #include <array>
 #include <charconv>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool::foreign {
 namespace {

@@ -10,8 +10,8 @@
 #include "foreign/convert.h"
 #include "foreign/folder_io.h"
 #include "foreign/obj_check.h"
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 
 namespace rc::tool::foreign {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "load/file.h"
+#include "input/file.h"
 
 namespace rc::tool::gltf {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "load/error.h"
+#include "input/error.h"
 #include "scene/math.h"
 
 namespace rc::tool::gltf {

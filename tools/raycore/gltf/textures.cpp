@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "gltf/parts.h"
-#include "load/picture.h"
+#include "codec/picture.h"
 
 namespace rc::tool::gltf {
 namespace {

@@ -9,8 +9,8 @@
 #include <iterator>
 
 #include "gltf/parts.h"
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 #include "load/load.h"
 
 namespace rc::tool {

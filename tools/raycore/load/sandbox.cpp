@@ -22,10 +22,10 @@
 #include <string_view>
 
 #include "load/archive.h"
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 #include "load/load.h"
-#include "load/picture.h"
+#include "codec/picture.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define RAYCORE_ADDRESS_SANITIZER 1

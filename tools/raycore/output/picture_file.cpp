@@ -15,8 +15,8 @@
 #include "codec/codec.h"
 #include "codec/jpeg.h"
 #include "codec/png.h"
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 
 namespace rc::tool {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 
 namespace rc::tool {
 namespace {

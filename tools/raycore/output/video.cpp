@@ -11,8 +11,8 @@
 #include <sstream>
 #include <vector>
 
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 
 namespace rc::tool {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "load/error.h"
+#include "input/error.h"
 #include "output/picture_file.h"
 #include "output/sequence.h"
 #include "view/viewer.h"

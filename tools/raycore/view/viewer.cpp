@@ -5,7 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 namespace {
@@ -19,7 +19,7 @@ double clockSeconds() {
 
 ShowSettings settingsFor(const Scene &scene, ShowSettings settings) {
   settings.samples = 1;  // more of them are made pass by pass
-  if (settings.animation.empty() && !scene.animations.empty()) settings.animation = "0";
+  if (settings.animation.empty() && !scene.animations.empty()) settings.animation = std::string("0");
   return settings;
 }
 
@@ -48,7 +48,7 @@ void Viewer::open(const std::string &file, bool keepView) {
   XFlush(mWindow.display());
   const View before = mCamera.view();
   mWatch.watch(file);
-  Scene scene = loadNamed(file, mSettings.load);
+  Scene scene = loadNamed(file);
   if (file != mFile) mSettings.show.camera = mFile.empty() ? mSettings.show.camera : "";
   mFile = file;
   makeShow(std::move(scene));

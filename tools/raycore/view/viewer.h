@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "commands/named_load.h"
+#include "load/named_load.h"
 #include "draw/show.h"
 #include "view/bindings.h"
 #include "view/camera.h"

@@ -6,7 +6,7 @@
 
 #include <bit>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "codec/codec.h"
 #include "codec/limits.h"
-#include "load/file.h"
+#include "input/file.h"
 
 namespace rc::tool {
 namespace {

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
-#include "commands/named_load.h"
+#include "load/named_load.h"
 
-#include "load/error.h"
+#include "input/error.h"
 #include "load/load.h"
 
 namespace rc::tool {
 
-void addLoadOptions(CLI::App &command, LoadOptions &options) {
-  CLI::Option *quiet = command.add_flag("-q,--quiet", options.quiet, "Errors alone");
-  command.add_flag("-v,--verbose", options.verbose, "What was dropped or approximated, and times")->excludes(quiet);
-}
-
-Scene loadNamed(const std::string &file, const LoadOptions &) {
+Scene loadNamed(const std::string &file) {
   try {
     return loadModel(file);
   } catch (const InputError &error) {

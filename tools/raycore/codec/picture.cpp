@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
-#include "load/picture.h"
+#include "codec/picture.h"
 
 #include <array>
 #include <string_view>
@@ -8,8 +8,8 @@
 #include "codec/codec.h"
 #include "codec/jpeg.h"
 #include "codec/png.h"
-#include "load/error.h"
-#include "load/file.h"
+#include "input/error.h"
+#include "input/file.h"
 
 namespace rc::tool {
 namespace {

@@ -4,7 +4,6 @@
 // named_load.h: loading as commands do it: complaints begin with the file's name, notes go to stderr.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "scene/scene.h"
@@ -15,9 +14,8 @@ struct LoadOptions {
   bool quiet = false, verbose = false;
 };
 
-void addLoadOptions(CLI::App &command, LoadOptions &options);
-Scene loadNamed(const std::string &file, const LoadOptions &options);
-// What was dropped or approximated: a count, or all with --verbose.
+Scene loadNamed(const std::string &file);
+// What was dropped or approximated: a count, or all where verbose.
 void printNotes(const std::string &file, const Scene &scene, const LoadOptions &options);
 
 }  // namespace rc::tool

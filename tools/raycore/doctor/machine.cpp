@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
-#include "commands/machine.h"
+#include "doctor/machine.h"
 
 #include <OpenImageIO/oiioversion.h>
 #include <assimp/version.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
-#include "load/file.h"
+#include "input/file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "load/error.h"
+#include "input/error.h"
 
 namespace rc::tool {
 
