@@ -17,8 +17,8 @@
 #include "foreign/obj_check.h"
 #include "gltf/parts.h"
 #include "input.h"
-#include "load/archive.h"
 #include "input/error.h"
+#include "load/archive.h"
 #include "load/load.h"
 
 namespace rc::fuzz {

@@ -18,9 +18,9 @@
 
 #include "codec/jpeg.h"
 #include "codec/limits.h"
+#include "codec/picture.h"
 #include "codec/png.h"
 #include "input/error.h"
-#include "codec/picture.h"
 
 namespace rc::tool {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "bench/scenes.h"
 #include "commands/commands.h"
-#include "doctor/machine.h"
 #include "commands/load_options.h"
 #include "commands/show_options.h"
+#include "doctor/machine.h"
 #include "input/error.h"
 #include "input/file.h"
 #include "measure/measurement.h"

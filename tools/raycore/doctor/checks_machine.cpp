@@ -14,8 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include "codec/codec.h"
-#include "doctor/machine.h"
 #include "doctor/checks.h"
+#include "doctor/machine.h"
 #include "input/error.h"
 #include "output/video.h"
 

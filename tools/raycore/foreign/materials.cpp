@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "codec/picture.h"
 #include "foreign/convert.h"
 #include "input/error.h"
 #include "input/file.h"
-#include "codec/picture.h"
 
 namespace rc::tool::foreign {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include <optional>
 
-#include "gltf/parts.h"
 #include "codec/picture.h"
+#include "gltf/parts.h"
 
 namespace rc::tool::gltf {
 namespace {

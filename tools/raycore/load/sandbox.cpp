@@ -21,11 +21,11 @@
 #include <new>
 #include <string_view>
 
-#include "load/archive.h"
+#include "codec/picture.h"
 #include "input/error.h"
 #include "input/file.h"
+#include "load/archive.h"
 #include "load/load.h"
-#include "codec/picture.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define RAYCORE_ADDRESS_SANITIZER 1

@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "load/named_load.h"
 #include "draw/show.h"
+#include "load/named_load.h"
 #include "view/bindings.h"
 #include "view/camera.h"
 #include "view/canvas.h"
