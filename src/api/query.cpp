@@ -97,17 +97,25 @@ QueryResult queryArray(const ArrayState &arrays, RCenum name) {
   return {};
 }
 
+const QueryRow *findRow(std::span<const QueryRow> table, RCenum name) {
+  const auto row = std::find_if(table.begin(), table.end(), [&](const QueryRow &r) { return r.name == name; });
+  return row == table.end() ? nullptr : &*row;
+}
+
+QueryResult answer(const QueryRow &row, const Context &context) {
+  QueryResult result{row.kind, row.count, {}};
+  row.read(context, result.values.data());
+  return result;
+}
+
 }  // namespace
 
 QueryResult query(Context &context, RCenum pname) {
-  const auto statistics = statisticsQueries();
-  for (const auto &table : {std::span<const QueryRow>(kRows), rasterQueries(), statistics}) {
-    const auto row = std::find_if(table.begin(), table.end(), [&](const QueryRow &r) { return r.name == pname; });
-    if (row == table.end()) continue;
-    if (table.data() == statistics.data()) context.await();  // they are about the last picture
-    QueryResult result{row->kind, row->count, {}};
-    row->read(context, result.values.data());
-    return result;
+  if (const QueryRow *row = findRow(kRows, pname)) return answer(*row, context);
+  if (const QueryRow *row = findRow(rasterQueries(), pname)) return answer(*row, context);
+  if (const QueryRow *row = findRow(statisticsQueries(), pname)) {
+    context.await();  // they are about the last picture
+    return answer(*row, context);
   }
   // What can be enabled can be asked for by the same name.
   if (const ClientArray *array = findArray(context.state.arrays, pname)) return single(Kind::Switch, array->enabled);

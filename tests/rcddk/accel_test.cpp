@@ -254,6 +254,24 @@ TEST(Refit, LeavesWhatHasNotMovedAsItWas) {
   EXPECT_TRUE(sameBytes(accel.blocks, built.blocks));
 }
 
+// Which rays go together is decided by where most triangles are, and how large.
+TEST(Refit, KnowsWhereMostTrianglesAreNow) {
+  const Workers workers(2);
+  const Triangles before = knot(24);
+  Triangles after = before;
+  for (HotTriangle &t : after) {
+    for (Vec3 *v : {&t.v0, &t.v1, &t.v2}) *v = 2.0f * *v + Vec3(30, 0, -5);
+  }
+  ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, before, workers);
+  EXPECT_LT(accel.core.upper.x, 10);
+  ASSERT_TRUE(ddk::refit(after, workers, accel));
+  const ddk::Accel anew = ddk::buildAccel(AccelKind::Bvh, after, workers);
+  EXPECT_EQ(accel.core.lower, anew.core.lower);
+  EXPECT_EQ(accel.core.upper, anew.core.upper);
+  EXPECT_EQ(accel.grain, anew.grain);
+  EXPECT_GT(accel.core.lower.x, 20);
+}
+
 TEST(Refit, AsksForANewTreeWhereTheOldOneIsNoGood) {
   const Triangles triangles = terrain(40);
   const Workers workers(1);

@@ -41,6 +41,9 @@ Accel buildAccel(AccelKind kind, std::span<const hal::HotTriangle> triangles, co
 // if it has become so much worse that it should be built anew; then what it is is undefined.
 bool refit(std::span<const hal::HotTriangle> triangles, const Workers &workers, Accel &accel);
 
+// The core and the grain of triangles as they lie now; at least one.
+void sampleTriangles(std::span<const hal::HotTriangle> triangles, Accel &accel);
+
 // What a random ray through the bounds costs in a BVH: boxes it meets. [Goldsmith, Salmon 1987]
 double costOf(const Accel &accel);
 

@@ -35,6 +35,7 @@ double costOf(const Accel &accel) {
 bool refit(std::span<const HotTriangle> triangles, const Workers &workers, Accel &accel) {
   if (accel.kind != AccelKind::Bvh || triangles.empty() || accel.triangles != triangles.size()) return false;
   fit(triangles, workers, accel);
+  sampleTriangles(triangles, accel);
   return costOf(accel) <= kWorstGrowth * accel.builtCost;
 }
 
