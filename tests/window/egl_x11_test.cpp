@@ -1,74 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// EGL on X servers of several depths: windows and pixmaps show what a pbuffer holds, follow sizes, and come and go.
-#include <EGL/egl.h>
+// EGL on X servers of several depths: windows and pixmaps show what a pbuffer holds, and follow sizes.
 #include <EGL/eglext.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <atomic>
-#include <cstdlib>
 #include <random>
-#include <thread>
 
 #include "RC/rcu.h"
-#include "egl/egl_fixture.h"
-#include "window/x11_fixture.h"
+#include "window/egl_x11_fixture.h"
 
 // After what Xlib's macros would be in the way of.
 #include <X11/Xutil.h>
 
 namespace rc::test {
 namespace {
-
-int gErrors = 0;
-int countErrors(Display *, XErrorEvent *) { return ++gErrors; }
-
-// A display of EGL on a server, with a context, and windows of the program's own connection.
-class Client {
- public:
-  explicit Client(const XServer &server, std::vector<EGLint> wanted = {EGL_RED_SIZE, 8}) : mServer(server) {
-    display = eglGetPlatformDisplay(EGL_PLATFORM_X11_KHR, server.connection(), nullptr);
-    EXPECT_TRUE(eglInitialize(display, nullptr, nullptr));
-    wanted.push_back(EGL_NONE);
-    EGLint count = 0;
-    EXPECT_TRUE(eglChooseConfig(display, wanted.data(), &config, 1, &count) && count == 1);
-    context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
-  }
-  ~Client() {
-    eglReleaseThread();
-    eglTerminate(display);
-  }
-  Client(const Client &) = delete;
-  Client &operator=(const Client &) = delete;
-
-  Window window(unsigned width, unsigned height, int left = 0) const {
-    Display *x = mServer.connection();
-    const Window made = XCreateSimpleWindow(x, DefaultRootWindow(x), left, 0, width, height, 0, 0, 0);
-    XSelectInput(x, made, StructureNotifyMask);
-    XMapWindow(x, made);
-    XEvent event;
-    do {
-      XWindowEvent(x, made, StructureNotifyMask, &event);
-    } while (event.type != MapNotify);
-    return made;
-  }
-  EGLSurface surface(Window native) const { return eglCreateWindowSurface(display, config, native, nullptr); }
-  EGLSurface pbuffer(EGLint width, EGLint height) const {
-    const EGLint list[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-    return eglCreatePbufferSurface(display, config, list);
-  }
-  bool makeCurrent(EGLSurface draw) const { return eglMakeCurrent(display, draw, draw, context) == EGL_TRUE; }
-  bool swap(EGLSurface draw) const { return swapAndWait(display, draw); }
-
-  EGLDisplay display;
-  EGLConfig config = nullptr;
-  EGLContext context;
-
- private:
-  const XServer &mServer;
-};
 
 // A window or pixmap that the library is told to draw to.
 Window otherWindow(Display *x, const XVisualInfo &info, unsigned kind) {
@@ -80,64 +25,6 @@ Window otherWindow(Display *x, const XVisualInfo &info, unsigned kind) {
   XSync(x, False);
   return window;
 }
-
-// A triangle under a light, so that there are many colours; the same in every frame and at every size.
-void draw() {
-  RCint viewport[4];
-  rcGetIntegerv(RC_VIEWPORT, viewport);
-  static const float vertices[] = {-2, -1, -1.5f, 2, -1, -3, 0, 2, -2}, light[] = {0.5f, 0.5f, 0, 1};
-  rcClearColor(0.3f, 0.6f, 0.9f, 1);
-  rcMatrixMode(RC_PROJECTION);
-  rcLoadIdentity();
-  rcFrustumf(-1, 1, -1, 1, 1, 10);
-  rcMatrixMode(RC_MODELVIEW);
-  rcEnable(RC_LIGHTING);
-  rcEnable(RC_LIGHT0);
-  rcLightfv(RC_LIGHT0, RC_POSITION, light);
-  rcEnableClientState(RC_VERTEX_ARRAY);
-  rcVertexPointer(3, RC_FLOAT, 0, vertices);
-  rcDrawArrays(RC_TRIANGLES, 0, 3);
-}
-
-// What the library traced last for the current surface.
-Picture traced() {
-  const hal::Target target = egl::threadState().current.draw->picture();
-  Picture picture{target.width, target.height, {}};
-  for (int i = 0; i < target.width * target.height; ++i) {
-    for (int shift = 0; shift < 24; shift += 8) picture.rgb.push_back(uint8_t(target.pixels[i] >> shift));
-  }
-  return picture;
-}
-
-// The largest difference of a channel; 256 for pictures of different sizes or without contents.
-int difference(const Picture &a, const Picture &b) {
-  if (a.rgb.empty() || a.width != b.width || a.height != b.height) return 256;
-  int largest = 0;
-  for (size_t i = 0; i < a.rgb.size(); ++i) largest = std::max(largest, std::abs(a.rgb[i] - b.rgb[i]));
-  return largest;
-}
-
-struct Screen {
-  const char *name;
-  std::vector<std::string> options;
-  int rounding;  // what its depth leaves of 255
-};
-
-void PrintTo(const Screen &screen, std::ostream *out) { *out << screen.name; }
-
-class EglX11 : public testing::TestWithParam<Screen> {
- protected:
-  void SetUp() override {
-    if (!XServer::available()) GTEST_SKIP() << "Xvfb is not installed; scripts/setup.sh does it";
-    mServer.emplace(GetParam().options);
-    ASSERT_TRUE(mServer->connection());
-    XSetErrorHandler(countErrors);
-    gErrors = 0;
-  }
-  void TearDown() override { EXPECT_EQ(gErrors, 0) << "an error of X reached the program"; }
-
-  std::optional<XServer> mServer;
-};
 
 TEST_P(EglX11, AWindowShowsWhatAPbufferHolds) {
   const Client client(*mServer);
@@ -288,46 +175,6 @@ TEST_P(EglX11, APaletteIsNoMatch) {
   XFree(info);
 }
 
-// Nobody is held up by a window that does not come. [egl/display.h]
-TEST_P(EglX11, OthersGoOnWhileAWindowIsWaitedFor) {
-  const Client client(*mServer);
-  const EGLSurface off = client.pbuffer(8, 8);
-  std::atomic<bool> done = false;
-  std::thread waits([&] {
-    EXPECT_FALSE(client.surface(0x7fffff));
-    EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
-    done = true;
-  });
-  int calls = 0;
-  for (EGLint value = 0; !done; ++calls) EXPECT_TRUE(eglQuerySurface(client.display, off, EGL_WIDTH, &value));
-  waits.join();
-  EXPECT_GT(calls, 20) << "they came one by one";
-}
-
-// The next connection may be at the address of one that was closed.
-TEST_P(EglX11, AClosedDisplayIsNotTheNextOne) {
-  const auto open = [&] { return XOpenDisplay(mServer->name().c_str()); };
-  std::vector<EGLDisplay> seen;
-  for (int round = 0; round < 4; ++round) {
-    Display *x = open();
-    ASSERT_TRUE(x);
-    const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_X11_KHR, x, nullptr);
-    ASSERT_EQ(std::count(seen.begin(), seen.end(), display), 0) << "a display of before";
-    seen.push_back(display);
-    ASSERT_TRUE(eglInitialize(display, nullptr, nullptr));
-    EXPECT_EQ(eglGetDisplay(x), display);
-    EXPECT_TRUE(round % 2 == 0 || eglTerminate(display));
-    XCloseDisplay(x);
-    EXPECT_NE(eglGetDisplay(x), display) << "whatever is there now is another one";
-    // The old display works on, over its own connection, until it ends; then there is nothing to connect to.
-    EGLint count = 0;
-    EXPECT_EQ(eglGetConfigs(display, nullptr, 0, &count), EGLBoolean(round % 2 == 0));
-    EXPECT_TRUE(eglTerminate(display));
-    EXPECT_FALSE(eglInitialize(display, nullptr, nullptr));
-    EXPECT_EQ(eglGetError(), EGL_NOT_INITIALIZED);
-  }
-}
-
 TEST_P(EglX11, ASingleBufferShowsWithoutASwap) {
   const Client client(*mServer);
   const Window window = client.window(64, 64);
@@ -382,70 +229,6 @@ TEST_P(EglX11, ASizeIsKnownBeforeTheFrame) {
   ASSERT_TRUE(client.swap(surface));
   EXPECT_EQ(traced().width, 31);
   EXPECT_EQ(value(EGL_BUFFER_AGE_EXT), 1);
-}
-
-TEST_P(EglX11, AWindowDestroyedUnderUs) {
-  const Client client(*mServer);
-  const Window window = client.window(64, 64), other = client.window(64, 64);
-  const EGLSurface surface = client.surface(window), second = client.surface(other);
-  EXPECT_FALSE(client.surface(window)) << "it has a surface";
-  EXPECT_EQ(eglGetError(), EGL_BAD_ALLOC);
-  ASSERT_TRUE(client.makeCurrent(surface));
-  ASSERT_TRUE(client.swap(surface));
-  XDestroyWindow(mServer->connection(), window);
-  XSync(mServer->connection(), False);
-  for (int i = 0; i < 3; ++i) {
-    draw();
-    EXPECT_FALSE(client.swap(surface));
-    EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
-  }
-  EXPECT_FALSE(eglWaitClient());
-  EXPECT_EQ(eglGetError(), EGL_BAD_CURRENT_SURFACE);
-  EXPECT_TRUE(client.makeCurrent(second));
-  EXPECT_TRUE(client.swap(second));
-  EXPECT_FALSE(client.makeCurrent(surface));
-  EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
-  EXPECT_TRUE(eglDestroySurface(client.display, surface));
-  EXPECT_FALSE(client.surface(window));
-  EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
-}
-
-TEST_P(EglX11, SeveralWindowsOnSeveralServers) {
-  XServer another({"-screen", "0", "320x240x16"});
-  ASSERT_TRUE(another.connection());
-  XSetErrorHandler(countErrors);
-  const Client here(*mServer), there(another);
-  EXPECT_NE(here.display, there.display);
-  const Window windows[] = {here.window(40, 30), here.window(60, 50, 100)}, far = there.window(70, 20);
-  const EGLSurface surfaces[] = {here.surface(windows[0]), here.surface(windows[1])}, farSurface = there.surface(far);
-  for (int round = 0; round < 3; ++round) {
-    for (int i = 0; i < 2; ++i) {
-      ASSERT_TRUE(here.makeCurrent(surfaces[i]));
-      draw();
-      ASSERT_TRUE(here.swap(surfaces[i]));
-      EXPECT_LE(difference(mServer->screenshot(windows[i]), traced()), GetParam().rounding);
-    }
-    ASSERT_TRUE(there.makeCurrent(farSurface));
-    draw();
-    ASSERT_TRUE(there.swap(farSurface));
-    EXPECT_LE(difference(another.screenshot(far), traced()), 8);
-  }
-}
-
-TEST_P(EglX11, AServerThatDies) {
-  const Client client(*mServer);
-  const EGLSurface surface = client.surface(client.window(64, 64)), off = client.pbuffer(8, 8);
-  ASSERT_TRUE(client.makeCurrent(surface));
-  ASSERT_TRUE(client.swap(surface));
-  mServer.reset();
-  testing::internal::CaptureStderr();
-  EXPECT_FALSE(client.swap(surface));
-  EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("X server has gone"), std::string::npos);
-  EXPECT_FALSE(client.swap(surface)) << "and again";
-  ASSERT_TRUE(client.makeCurrent(off)) << "pbuffers live on";
-  EXPECT_TRUE(client.swap(off));
-  EXPECT_TRUE(eglDestroySurface(client.display, surface));
 }
 
 const Screen kScreens[] = {
