@@ -91,7 +91,7 @@ if command -v script >/dev/null; then
   [ ! -s said ] || say "words in spite of --quiet"
 fi
 "$tool" render "$model" -o pipe/j.png --size 32x24 --samples 1 --frames 0-2 --json >lines 2>said
-[ "$(grep -cE '^\{"frame": [0-2], "file": "pipe/j-000[0-2].png", "triangles": [0-9]+, ' lines)" -eq 3 ] || say "no lines of JSON"
+[ "$(grep -cE '^\{"frame":[0-2],"file":"pipe/j-000[0-2].png","triangles":[0-9]+,' lines)" -eq 3 ] || say "no lines of JSON"
 "$tool" render "$model" -v -o pipe/v.png --size 32x24 --samples 1 2>said
 grep -q 'rays, built in' said || say "no times with --verbose"
 exit $failed

@@ -46,6 +46,12 @@ expect 1 'camera "7"' "$tool" render "$model" -o a.png --camera 7
 expect 1 'animation "Walk"' "$tool" render "$model" -o a.png --animation Walk
 expect 1 'the file has none' "$tool" render "$model" -o a.png --lights file
 expect 1 'neither a colour nor a picture' "$tool" render "$model" -o a.png --background mauve
+expect 2 'ground: "nope" is none of checker,matte,mirror,none' "$tool" render "$model" -o a.png --ground nope
+expect 2 'camera excludes --eye' "$tool" render "$model" -o a.png --camera 0 --eye 1,2,3
+expect 2 'not finite' "$tool" render "$model" -o a.png --fov nan
+expect 1 'both go to standard output' "$tool" render "$model" -o - --json
+expect 1 'the picture needs a file' "$tool" stats "$model" --heatmap -
+expect 1 'standard output cannot be written' bash -c '"$1" info "$2" >/dev/full' - "$tool" "$model"
 expect 1 'cannot be written' "$tool" render "$model" -o /proc/a.png --size 16x16
 expect 1 'no X server' env DISPLAY=:9999 "$tool" view "$model"
 expect 1 'no X server' "$tool" view "$model"
@@ -61,4 +67,13 @@ done
 cmp -s a.png from_pipe.png || { echo "the picture through pipes differs"; failed=1; }
 "$tool" info "$model" --json | grep -q '"triangles_drawn": 1,' || { echo "info counts wrongly"; failed=1; }
 "$tool" stats "$model" --json --size 20x10 --repeat 2 | grep -qE '"rays": [1-9][0-9]+,' || { echo "stats counts no rays"; failed=1; }
+# What is left out of a model is told
+printf 'mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n' >lost.obj
+expect 0 'line 1: the materials of "gone.mtl" cannot be opened' "$tool" info lost.obj
+expect 0 '1 of 2 triangles have a corner that is not finite' "$tool" render lost.obj -v -o a.png --size 8x8
+expect 0 '2 things dropped' "$tool" stats lost.obj --size 8x8
+
+# A name with a place for the number, and no range: the whole animation
+expect 0 '' "$tool" render "$(dirname "$model")/slide.gltf" -o whole-%02d.png --fps 5 --size 8x8
+[ -s whole-04.png ] && [ ! -e whole-05.png ] || { echo "not the frames of a second: $(echo whole-*)"; failed=1; }
 exit $failed

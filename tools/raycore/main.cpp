@@ -79,5 +79,8 @@ int parseAndRun(int argc, char **argv) {
 
 int main(int argc, char **argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error of writing
-  return guarded([&] { return parseAndRun(argc, argv); });
+  const int code = guarded([&] { return parseAndRun(argc, argv); });
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  if (code == 0) std::fputs("raycore: standard output cannot be written\n", stderr);
+  return code == 0 ? kBadInput : code;
 }

@@ -11,11 +11,11 @@
 
 #include "bench/scenes.h"
 #include "commands/commands.h"
-#include "commands/load_options.h"
 #include "commands/show_options.h"
 #include "doctor/machine.h"
 #include "input/error.h"
 #include "input/file.h"
+#include "load/named_load.h"
 #include "measure/measurement.h"
 #include "output/picture_file.h"
 #include "output/progress.h"
@@ -32,8 +32,7 @@ struct BenchOptions {
   std::string scenes, compare, pictures;
   std::vector<std::string> only;
   int repeat = 5;
-  bool json = false;
-  LoadOptions load;
+  bool json = false, quiet = false;
 };
 
 struct Task {
@@ -70,7 +69,7 @@ std::vector<Task> tasksOf(const BenchOptions &options) {
     reject("--scenes {}: none of the bench's files is there, such as {}", options.scenes, filesOfTheSet()[0]);
   }
   std::erase_if(tasks, [&](const Task &task) { return !isWanted(options, task.name); });
-  if (tasks.empty()) reject("--only: there is no such scene");
+  if (tasks.empty()) reject("--only {}: there is no such scene; --help lists them", fmt::join(options.only, ","));
   return tasks;
 }
 
@@ -84,6 +83,13 @@ Json run(const BenchOptions &options, const Task &task, Scene scene) {
   return json;
 }
 
+// What must be the same for numbers to be compared.
+Json settingsOf(const BenchOptions &options) {
+  return {{"size", {options.show.width, options.show.height}},
+          {"samples", options.show.samples},
+          {"bounces", options.show.bounces}};
+}
+
 // Everything is read first: the reader is a fork, and this process must have no threads then.
 Json runAll(const BenchOptions &options) {
   const std::vector<Task> tasks = tasksOf(options);
@@ -91,19 +97,18 @@ Json runAll(const BenchOptions &options) {
   scenes.reserve(tasks.size());
   for (const Task &task : tasks) scenes.push_back(task.make ? task.make() : loadNamed(task.file));
   Json results = Json::array();
-  Progress progress("scene", int(tasks.size()), options.load.quiet);
+  Progress progress("scene", int(tasks.size()), options.quiet);
   for (size_t i = 0; i < tasks.size(); ++i) {
     results.push_back(run(options, tasks[i], std::move(scenes[i])));
     progress.done(int(i) + 1);
   }
-  return {{"format", kFormat},
-          {"raycore", versionText()},
-          {"machine", aboutMachine()},
-          {"size", {options.show.width, options.show.height}},
-          {"samples", options.show.samples},
-          {"bounces", options.show.bounces},
-          {"repeat", options.repeat},
-          {"scenes", results}};
+  Json all = settingsOf(options);
+  all["format"] = kFormat;
+  all["raycore"] = versionText();
+  all["machine"] = aboutMachine();
+  all["repeat"] = options.repeat;
+  all["scenes"] = results;
+  return all;
 }
 
 std::string numberOf(const Json &value, int digits) {
@@ -140,11 +145,18 @@ Json readResults(const std::string &file) {
   }
 }
 
+void checkComparable(const Json &before, const BenchOptions &options) {
+  const Json now = settingsOf(options);
+  for (const char *key : {"size", "samples", "bounces"}) {
+    const std::string then = before.contains(key) ? before.at(key).dump() : "not said";
+    if (then != now.at(key).dump()) {
+      reject("--compare {}: its {} is {}, not {}", options.compare, key, then, now.at(key).dump());
+    }
+  }
+}
+
 // Above 1: the new one is faster.
 void printComparison(const Json &before, const Json &now) {
-  if (before["size"] != now["size"] || before["samples"] != now["samples"] || before["bounces"] != now["bounces"]) {
-    reject("--compare: sizes, samples or bounces differ");
-  }
   fmt::print("\n{:<22}{:>12}{:>12}{:>9}  {}\n", "scene", "before ms", "now ms", "ratio", "picture");
   for (const Json &s : now["scenes"]) {
     const auto found = std::find_if(before["scenes"].begin(), before["scenes"].end(),
@@ -159,6 +171,7 @@ void printComparison(const Json &before, const Json &now) {
 int bench(const BenchOptions &options) {
   const Json before = options.compare.empty() ? Json() : readResults(options.compare);
   if (!options.pictures.empty()) checkFolder(options.pictures);
+  if (!before.is_null()) checkComparable(before, options);
   const Json now = runAll(options);
   if (options.json) {
     fmt::print("{}\n", now.dump(2));
@@ -186,7 +199,7 @@ Command addBench(CLI::App &app) {
   command->add_option("--compare", options->compare, "An earlier --json: ratios to it")->type_name("FILE");
   command->add_option("--pictures", options->pictures, "Folder for a picture of each scene")->type_name("FOLDER");
   command->add_flag("--json", options->json, "Print JSON");
-  addLoadOptions(*command, options->load);
+  command->add_flag("-q,--quiet", options->quiet, "No line of progress");
   std::string footer = "Scenes:\n";
   for (const BenchScene &scene : builtInScenes()) footer += fmt::format("  {:<10} {}\n", scene.name, scene.what);
   command->footer(footer +

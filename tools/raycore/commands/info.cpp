@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
-#include "commands/load_options.h"
 #include "draw/surface.h"
+#include "load/named_load.h"
 #include "scene/pose.h"
 
 namespace rc::tool {
@@ -165,7 +165,6 @@ void printText(const Json &json) {
 struct InfoOptions {
   std::string input;
   bool json = false;
-  LoadOptions load;
 };
 
 int info(const InfoOptions &options) {
@@ -187,7 +186,6 @@ Command addInfo(CLI::App &app) {
   auto options = std::make_shared<InfoOptions>();
   command->add_option("model", options->input, "File of the model; - reads glTF from standard input")->required();
   command->add_flag("--json", options->json, "Print JSON");
-  addLoadOptions(*command, options->load);
   command->footer("Examples:\n  raycore info duck.glb\n  raycore info scene.gltf --json | jq .materials");
   return {command, [options] { return info(*options); }};
 }

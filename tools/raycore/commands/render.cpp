@@ -5,6 +5,7 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "commands/commands.h"
@@ -51,10 +52,13 @@ void finishFrameOnInterrupt() {
 void report(const RenderOptions &options, const Show &show, const std::string &file, int frame) {
   const Statistics &s = show.statistics();
   if (options.json) {
-    fmt::print(
-        "{{\"frame\": {}, \"file\": \"{}\", \"triangles\": {}, \"rays\": {}, \"build_s\": {:.4f}, \"trace_s\": "
-        "{:.4f}}}\n",
-        frame, file, s.triangles, s.rays, s.buildSeconds, s.traceSeconds);
+    const nlohmann::ordered_json line{{"frame", frame},
+                                      {"file", file},
+                                      {"triangles", s.triangles},
+                                      {"rays", s.rays},
+                                      {"build_s", s.buildSeconds},
+                                      {"trace_s", s.traceSeconds}};
+    fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     std::fflush(stdout);
   } else if (options.load.verbose) {
     fmt::print(stderr, "{}: {} triangles, {} rays, built in {:.3f} s, traced in {:.3f} s\n", file, s.triangles, s.rays,
@@ -127,12 +131,15 @@ FrameRange wholeAnimation(const Show &show, double fps) {
 void check(const RenderOptions &options) {
   if (isVideo(options.output)) return checkFfmpeg();
   checkPictureName(options.output);
-  if (options.output == "-" && !options.frames.empty()) reject("numbered pictures need files: -o NAME-%04d.png");
+  if (options.output != "-") return;
+  if (!options.frames.empty()) reject("numbered pictures need files: -o NAME-%04d.png");
+  if (options.json) reject("--json and the picture would both go to standard output: name a file");
 }
 
 // A film or a sequence plays the first animation unless another is named.
 void chooseAnimation(const Scene &scene, RenderOptions &options) {
-  const bool moves = isVideo(options.output) || !options.frames.empty() || options.time != 0;
+  const bool moves =
+      isVideo(options.output) || isNumbered(options.output) || !options.frames.empty() || options.time != 0;
   if (moves && options.show.animation.empty() && !scene.animations.empty()) options.show.animation = "0";
 }
 
@@ -146,7 +153,7 @@ int render(RenderOptions options) {
   finishFrameOnInterrupt();
   const FrameRange range = options.frames.empty() ? wholeAnimation(show, options.fps) : asked;
   if (isVideo(options.output)) return renderVideo(options, show, range);
-  if (options.frames.empty()) return renderStill(options, show);
+  if (options.frames.empty() && !isNumbered(options.output)) return renderStill(options, show);
   return makeFrames(options, show, range, options.output) ? 0 : interrupted(options);
 }
 
@@ -162,15 +169,19 @@ Command addRender(CLI::App &app) {
       ->type_name("FILE")
       ->required();
   addShowOptions(*command, options->show);
-  command->add_option("--frames", options->frames, "Numbers of the frames, such as 0-99: numbered pictures")
+  command
+      ->add_option("--frames", options->frames,
+                   "Numbers of the frames, such as 0-99: numbered pictures [the whole animation]")
       ->type_name("A-B")
       ->group("Time");
   command->add_option("--fps", options->fps, "Frames a second")
-      ->check(CLI::Range(0.001, 1000.0))
+      ->check(CLI::Range(0.001, 1000.0) & finite())
       ->group("Time")
       ->capture_default_str();
   command->add_option("--animation", options->show.animation, "Animation of the file, number or name")->group("Time");
-  command->add_option("--time", options->time, "Moment of a single picture, in seconds")->group("Time");
+  command->add_option("--time", options->time, "Moment of a single picture, in seconds")
+      ->check(finite())
+      ->group("Time");
   command->add_flag("--overwrite", options->overwrite, "Make frames again that exist")->group("Time");
   command->add_flag("--json", options->json, "A line of JSON on standard output for each picture");
   addLoadOptions(*command, options->load);

@@ -67,15 +67,33 @@ CLI::callback_t angle(const char *option, std::optional<Angle> &to) {
   };
 }
 
-// The words of a table become their values; the help lists the words alone.
+// The words of a table, in braces as completions read them.
 template <class Value>
-CLI::Validator namesOf(const std::map<std::string, Value> &table) {
+CLI::Validator wordsOf(const std::map<std::string, Value> &table) {
   std::string words;
-  for (const auto &[word, value] : table) words += (words.empty() ? "{" : ",") + word;
-  return CLI::CheckedTransformer(table).description(words + "}");
+  for (const auto &[word, value] : table) words += (words.empty() ? "" : ",") + word;
+  const auto check = [&table, words](const std::string &word) {
+    return table.contains(word) ? std::string() : "\"" + word + "\" is none of " + words;
+  };
+  return {check, "{" + words + "}"};
+}
+
+template <class Value>
+CLI::callback_t valueOf(const std::map<std::string, Value> &table, Value &to) {
+  return [&table, &to](const CLI::results_t &words) {
+    to = table.at(words[0]);
+    return true;
+  };
 }
 
 }  // namespace
+
+CLI::Validator finite() {
+  return {[](const std::string &text) {
+            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string() : "\"" + text + "\" is not finite";
+          },
+          ""};
+}
 
 void addPictureSize(CLI::App &command, ShowSettings &settings) {
   command.add_option("--size", size(settings), "Pixels, 1 to 16384 each [800x480]")->type_name("WxH")->group("Picture");
@@ -91,35 +109,38 @@ void addPictureSize(CLI::App &command, ShowSettings &settings) {
 
 void addShowOptions(CLI::App &command, ShowSettings &settings) {
   const auto add = [&](const char *names, CLI::callback_t callback, const char *type, const char *what) {
-    command.add_option(names, std::move(callback), what)->type_name(type)->group("Picture");
+    return command.add_option(names, std::move(callback), what)->type_name(type)->group("Picture");
   };
   addPictureSize(command, settings);
-  command.add_option("--camera", settings.camera, "Camera of the file, number or name; else the whole model is framed")
-      ->group("Picture");
-  add("--eye", point("--eye", settings.eye), "X,Y,Z", "Where the viewer is");
-  add("--look-at", point("--look-at", settings.lookAt), "X,Y,Z", "What the viewer looks at [the model's middle]");
+  CLI::Option *camera =
+      command
+          .add_option("--camera", settings.camera, "Camera of the file, number or name; else the whole model is framed")
+          ->group("Picture");
+  CLI::Option *eye = add("--eye", point("--eye", settings.eye), "X,Y,Z", "Where the viewer is");
+  add("--look-at", point("--look-at", settings.lookAt), "X,Y,Z", "What the viewer looks at [the model's middle]")
+      ->excludes(camera);
   add("--angle", angle("--angle", settings.angle), "AZ,EL",
-      "Degrees round the model and above it, for the framing camera");
+      "Degrees round the model and above it, for the framing camera")
+      ->excludes(camera)
+      ->excludes(eye);
+  eye->excludes(camera);
   command.add_option("--fov", settings.fov, "Vertical angle in degrees")
-      ->check(CLI::Range(1.0, 170.0))
+      ->check(CLI::Range(1.0, 170.0) & finite())
+      ->excludes(camera)
       ->group("Picture")
       ->capture_default_str();
   command.add_option("--up", settings.up, "Axis that points up: y or z [by format]")
       ->check(CLI::IsMember({"y", "z"}))
       ->group("Picture");
-  command.add_option("--lights", settings.lighting, "auto, file, studio, headlight or none")
-      ->transform(namesOf(kLightings))
-      ->type_name("KIND")
-      ->group("Picture");
+  add("--lights", valueOf(kLightings, settings.lighting), "KIND", "auto, file, studio, headlight or none [auto]")
+      ->check(wordsOf(kLightings));
   command
       .add_option("--background", settings.background,
                   "#rrggbb, r,g,b, a name, gradient[:TOP,BOTTOM], or an equirectangular picture")
       ->type_name("FILE")
       ->group("Picture");
-  command.add_option("--ground", settings.ground, "none, matte, mirror or checker")
-      ->transform(namesOf(kGrounds))
-      ->type_name("KIND")
-      ->group("Picture");
+  add("--ground", valueOf(kGrounds, settings.ground), "KIND", "none, matte, mirror or checker [none]")
+      ->check(wordsOf(kGrounds));
 }
 
 }  // namespace rc::tool

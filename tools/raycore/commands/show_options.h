@@ -10,6 +10,8 @@
 
 namespace rc::tool {
 
+// A number, not an infinity, and none that is no number.
+CLI::Validator finite();
 // Size, samples, bounces.
 void addPictureSize(CLI::App &command, ShowSettings &settings);
 void addShowOptions(CLI::App &command, ShowSettings &settings);

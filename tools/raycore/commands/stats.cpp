@@ -10,6 +10,7 @@
 #include "commands/commands.h"
 #include "commands/load_options.h"
 #include "commands/show_options.h"
+#include "input/error.h"
 #include "measure/measurement.h"
 #include "measure/ray_cost.h"
 #include "output/picture_file.h"
@@ -50,7 +51,9 @@ void print(const StatsOptions &options, const Measurement &m) {
 
 int stats(const StatsOptions &options) {
   if (!options.heatMap.empty()) checkPictureName(options.heatMap);
+  if (options.heatMap == "-") reject("--heatmap: the numbers go to standard output, the picture needs a file");
   Show show(loadNamed(options.input), options.show);
+  printNotes(options.input, show.scene(), options.load);
   const Measurement measurement = measure(show, options.repeat);
   if (!options.heatMap.empty()) writePicture(heatMap(rayCosts(show)), options.heatMap);
   if (!options.json) {

@@ -96,7 +96,8 @@ Check checkSettings() {
     const std::string name(*variable, std::strcspn(*variable, "="));
     if (!name.starts_with("RAYCORE_")) continue;
     const bool known = std::find(kVariables.begin(), kVariables.end(), name) != kVariables.end();
-    (known ? set : unknown).push_back(known ? *variable : name);
+    set.emplace_back(*variable);
+    if (!known) unknown.push_back(name);
   }
   std::sort(set.begin(), set.end());
   Check check{"settings", Finding::Ok, set.empty() ? "no variable RAYCORE_* is set" : joinNames(set), {}};

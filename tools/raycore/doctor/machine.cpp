@@ -39,9 +39,12 @@ std::string instructionSet() {
   return name.starts_with("AVX3") ? "AVX-512" : name;
 }
 
+constexpr int kMostThreads = 1024;  // what the library takes [docs/environment.md]
+
 int threads() {
   const int asked = std::atoi(environment("RAYCORE_THREADS", "0").c_str());
-  return asked > 0 ? asked : static_cast<int>(std::thread::hardware_concurrency());
+  const bool taken = asked >= 1 && asked <= kMostThreads;
+  return taken ? asked : static_cast<int>(std::thread::hardware_concurrency());
 }
 
 }  // namespace

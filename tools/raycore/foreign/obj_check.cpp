@@ -23,7 +23,7 @@ std::string_view nextWord(std::string_view &line) {
 
 class Checker {
  public:
-  explicit Checker(Scene &scene) : mScene(scene) {}
+  Checker(const FileExists &exists, Scene &scene) : mExists(exists), mScene(scene) {}
 
   void line(std::string_view text) {
     ++mLine;
@@ -32,9 +32,18 @@ class Checker {
     if (record == "vt") ++mCounts[1];
     if (record == "vn") ++mCounts[2];
     if (record == "f") face(text);
+    if (record == "mtllib") library(text);
   }
 
  private:
+  // The rest of the line is one name; Assimp says nothing where it finds no such file.
+  void library(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+    const std::string name(text.substr(0, text.find_last_not_of(kBlank) + 1));
+    if (mExists(name)) return;
+    mScene.note(fmt::format("line {}: the materials of \"{}\" cannot be opened; drawn without", mLine, name));
+  }
+
   void countVertex(std::string_view text) {
     ++mCounts[0];
     for (int i = 0; i < 3; ++i) {
@@ -70,6 +79,7 @@ class Checker {
     }
   }
 
+  const FileExists &mExists;
   Scene &mScene;
   size_t mLine = 0;
   std::array<size_t, 3> mCounts{};
@@ -77,8 +87,8 @@ class Checker {
 
 }  // namespace
 
-void checkObj(std::string_view text, Scene &scene) {
-  Checker checker(scene);
+void checkObj(std::string_view text, const FileExists &exists, Scene &scene) {
+  Checker checker(exists, scene);
   while (!text.empty()) {
     const size_t end = std::min(text.find('\n'), text.size());
     checker.line(text.substr(0, end));

@@ -28,6 +28,15 @@ std::string oneLine(std::string text) {
   return text;
 }
 
+// Where no file has the name that an OBJ file gives, Assimp takes one that is called as the model is.
+FileExists materialFiles(const std::filesystem::path &model, const std::filesystem::path &folder) {
+  return [model, folder](const std::string &name) {
+    const FolderIO files(folder);
+    return files.Exists((folder / name).c_str()) ||
+           files.Exists(std::filesystem::path(model).replace_extension("mtl").c_str());
+  };
+}
+
 }  // namespace
 
 bool reads(const std::string &extension) { return Assimp::Importer().IsExtensionSupported(extension); }
@@ -35,8 +44,8 @@ bool reads(const std::string &extension) { return Assimp::Importer().IsExtension
 Scene readFile(const std::string &name) {
   Scene scene;
   const std::string extension = extensionOf(name);
-  if (extension == ".obj") checkObj(tool::readFile(name), scene);
   const std::string folder = std::filesystem::absolute(name).parent_path().string();
+  if (extension == ".obj") checkObj(tool::readFile(name), materialFiles(name, folder), scene);
   Assimp::Importer importer;
   importer.SetIOHandler(new FolderIO(folder));  // the importer deletes it
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kLargestSmoothAngle);

@@ -28,6 +28,8 @@ std::shared_ptr<const Json> parse(std::string_view text) {
     const size_t at = std::min(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
     reject("JSON: line {}, byte {}: not valid", line, error.byte);
+  } catch (const Json::out_of_range &) {
+    reject("JSON: a number is larger than any that can be read");
   }
 }
 

@@ -17,9 +17,8 @@ Scene loadNamed(const std::string &file) {
 
 void printNotes(const std::string &file, const Scene &scene, const LoadOptions &options) {
   if (options.quiet || scene.notes.empty()) return;
-  if (!options.verbose) {
-    fmt::print(stderr, "raycore: {}: {} thing{} dropped or approximated (-v lists them)\n", file, scene.notes.size(),
-               scene.notes.size() == 1 ? "" : "s");
+  if (!options.verbose && scene.notes.size() > 1) {
+    fmt::print(stderr, "raycore: {}: {} things dropped or approximated (-v lists them)\n", file, scene.notes.size());
     return;
   }
   for (const std::string &note : scene.notes) fmt::print(stderr, "raycore: {}: {}\n", file, note);

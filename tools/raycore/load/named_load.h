@@ -15,7 +15,7 @@ struct LoadOptions {
 };
 
 Scene loadNamed(const std::string &file);
-// What was dropped or approximated: a count, or all where verbose.
+// What was dropped or approximated: one thing, or how many; all where verbose.
 void printNotes(const std::string &file, const Scene &scene, const LoadOptions &options);
 
 }  // namespace rc::tool

@@ -4,9 +4,12 @@
 // Which loader reads a file.
 #include "foreign/read.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <span>
 
 #include "gltf/parts.h"
 #include "input/error.h"
@@ -30,9 +33,26 @@ void checkSomething(const Scene &scene) {
   if (scene.nodes.empty() && scene.meshes.empty()) reject("there is nothing in it");
 }
 
-}  // namespace
+// The library leaves triangles out that have a corner nowhere.
+void noteCornersNowhere(Scene &scene) {
+  const auto isNowhere = [](const Vec3 &v) { return !std::isfinite(v.x + v.y + v.z); };
+  for (const Mesh &mesh : scene.meshes) {
+    size_t triangles = 0, lost = 0;
+    for (const Primitive &primitive : mesh.primitives) {
+      triangles += primitive.triangles();
+      if (std::ranges::none_of(primitive.positions, isNowhere)) continue;
+      for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        const auto corners = std::span(primitive.indices).subspan(i, 3);
+        lost += std::ranges::any_of(corners, [&](uint32_t corner) { return isNowhere(primitive.positions[corner]); });
+      }
+    }
+    if (lost == 0) continue;
+    scene.note(fmt::format("mesh \"{}\": {} of {} triangles have a corner that is not finite; not drawn", mesh.name,
+                           lost, triangles));
+  }
+}
 
-Scene readModel(const std::string &name) {
+Scene readAny(const std::string &name) {
   const std::string extension = extensionOf(name);
   if (name == "-" || extension == ".glb" || extension == ".gltf") {
     const std::string bytes = name == "-" ? standardInput() : readFile(name);
@@ -42,6 +62,14 @@ Scene readModel(const std::string &name) {
   if (extension.empty() || !foreign::reads(extension)) reject("\"{}\" is no model format that is read", extension);
   Scene scene = foreign::readFile(name);
   checkSomething(scene);
+  return scene;
+}
+
+}  // namespace
+
+Scene readModel(const std::string &name) {
+  Scene scene = readAny(name);
+  noteCornersNowhere(scene);
   return scene;
 }
 

@@ -60,6 +60,10 @@ std::string fileOfFrame(const std::string &pattern, int frame) {
   return (path.parent_path() / fmt::format("{}{:0{}}{}", parts.before, frame, parts.width, parts.after)).string();
 }
 
+bool isNumbered(const std::string &name) {
+  return patternIn(std::filesystem::path(name).filename().string()).has_value();
+}
+
 bool isVideo(const std::string &name) {
   const std::string extension = extensionOf(name);
   return extension == ".mp4" || extension == ".webm";

@@ -20,6 +20,9 @@ FrameRange rangeFrom(const std::string &text);
 // %d or %04d in the pattern becomes the number; without one, -0001 is put before the extension.
 std::string fileOfFrame(const std::string &pattern, int frame);
 
+// Whether the name has a place for the number.
+bool isNumbered(const std::string &name);
+
 bool isVideo(const std::string &name);
 
 }  // namespace rc::tool
