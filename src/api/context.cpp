@@ -122,7 +122,7 @@ std::unique_ptr<Context::Picture> Context::beginPicture() {
   mTraced = mObjects->changes;
   mWidth = target.width;
   mHeight = target.height;
-  if (!scene.dynamics().empty()) resetMatrices();
+  if (picture->build && !scene.dynamics().empty()) resetMatrices();  // once a frame, however often it is traced
   return picture;
 }
 
@@ -151,8 +151,14 @@ void Context::pictureFailed() {
   scene.abandonFrame();
 }
 
+void Context::complete() {
+  const std::lock_guard lock(mObjects->mutex);
+  if (mSurface && mEnded != mObjects->changes) finish();
+  await();
+}
+
 hal::Target Context::picture() {
-  finish();
+  complete();
   return mSurface ? mSurface->backBuffer() : hal::Target{};
 }
 

@@ -95,6 +95,9 @@ class Context {
   void awaitPicture() { mBackground.wait(); }
   // The same, and what became of it is noted: for all that uses what it is made of.
   void await();
+  // All that was drawn is in the picture, and waited for. What moved in a picture that was swapped ended with it, which
+  // alone asks for no other one: the picture is still that which was swapped.
+  void complete();
   // Whether a surface waits for a picture of something that the program did. Waits for nobody either.
   bool pending() const;
   // The picture as it is after all that was drawn, row by row from the top; no pixels where there is no surface.

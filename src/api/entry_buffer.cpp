@@ -6,6 +6,7 @@
 
 #include "RC/rc.h"
 #include "api/arrays.h"
+#include "api/convert.h"
 #include "api/guard.h"
 
 using namespace rc;
@@ -125,7 +126,7 @@ void rcGetBufferParameteriv(RCenum target, RCenum pname, RCint *params) {
     }
     const Buffer *buffer = findBound(context, *binding);
     if (!buffer || !params) return;
-    *params = pname == RC_BUFFER_SIZE ? static_cast<RCint>(buffer->bytes.size()) : static_cast<RCint>(buffer->usage);
+    *params = pname == RC_BUFFER_SIZE ? roundToInt(double(buffer->bytes.size())) : static_cast<RCint>(buffer->usage);
   });
 }
 

@@ -103,6 +103,7 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   if (!arrays.vertex.enabled || hasNullPointer(arrays)) return context.noteEmptyDraw();
   if (indices.count < 3) return;  // no primitive; the frame before stays
   ddk::GeometrySet &set = context.scene.target();
+  context.touch();  // the frame before has ended here, though there may be no memory for this draw
   ddk::DrawCall call{.primitive = primitive, .indices = indices};
   call.vertices = viewIfEnabled(arrays.vertex);
   call.normals = viewIfEnabled(arrays.normal);
@@ -121,7 +122,6 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   const Stopwatch watch;
   ddk::appendTriangles(call, set, context.driver().workers());
   context.noteTransformed(watch.milliseconds());
-  context.touch();
 }
 
 size_t bytesOf(ddk::IndexType type) { return type == ddk::IndexType::Byte ? 1 : type == ddk::IndexType::Short ? 2 : 4; }

@@ -65,7 +65,7 @@ constexpr RayValue kRayValues[] = {
     {RC_RAY_TRIANGLES, [](const ddk::RayAnswer &a) { return RCfloat(a.triangles); }},
 };
 
-// Rays go through pixels of the viewport, which may lie anywhere in the picture.
+// Rays go through pixels of the viewport, which begins where the picture does: its x and y are not used. [spec 3.1]
 void readRays(Context &context, const hal::PixelRect &part, const RayValue &value, RCfloat *values) {
   if (part.columns < 0 || part.rows < 0) {
     return context.fail(RC_INVALID_VALUE, "width x height is %d x %d, not 0 or more", part.columns, part.rows);
@@ -73,12 +73,10 @@ void readRays(Context &context, const hal::PixelRect &part, const RayValue &valu
   if (!context.picture().pixels) return context.fail(RC_INVALID_OPERATION, "there is no surface to look through");
   if (!values) return;
   const ViewState &view = context.state.view;
-  hal::PixelRect inside = hal::common(part, {view.x, view.y, view.width, view.height});
-  inside.column -= view.x;
-  inside.row -= view.y;
+  const hal::PixelRect inside = hal::common(part, {0, 0, view.width, view.height});
   context.probe(inside, [&](int column, int row, const ddk::RayAnswer &answer) {
-    const size_t place = size_t(int64_t{row} + view.y - part.row) * size_t(part.columns);
-    values[place + size_t(int64_t{column} + view.x - part.column)] = value.of(answer);
+    const size_t place = size_t(int64_t{row} - part.row) * size_t(part.columns);
+    values[place + size_t(int64_t{column} - part.column)] = value.of(answer);
   });
 }
 

@@ -34,7 +34,7 @@ void rcGetBooleanv(RCenum pname, RCboolean *params) {
 
 void rcGetFixedv(RCenum pname, RCfixed *params) {
   get(Call("rcGetFixedv", pname, params), pname, params,
-      [](Kind kind, double value) { return kind == Kind::Token ? RCfixed(value) : toFixed(value); });
+      [](Kind kind, double value) { return kind == Kind::Token ? roundToInt(value) : toFixed(value); });
 }
 
 void rcGetFloatv(RCenum pname, RCfloat *params) {

@@ -12,6 +12,15 @@ namespace {
 
 constexpr Size kDefaultWindow{800, 480};
 
+// What the size decides, of the surface that is drawn to: a program asks for it before its next frame.
+EGLint sizeAttribute(Surface &surface, EGLint name) {
+  const Size next = surface.nextSize();
+  if (name == EGL_WIDTH) return next.width;
+  if (name == EGL_HEIGHT) return next.height;
+  return next == surface.size() ? surface.age() : 0;  // EGL_BUFFER_AGE_EXT: pixels of another size will be lost
+}
+bool isOfSize(EGLint name) { return name == EGL_WIDTH || name == EGL_HEIGHT || name == EGL_BUFFER_AGE_EXT; }
+
 EGLSurface add(Display &display, const Config &config, EGLint kind, const SurfaceAttributes &attributes, Size size,
                std::unique_ptr<NativeDrawable> drawable, EGLNativeWindowType native) {
   return display.surfaces.add(std::make_shared<Surface>(config, kind, attributes, size, std::move(drawable), native));
@@ -166,15 +175,10 @@ EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface surface, EGLint name, EGL
 EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint name, EGLint *value) {
   return enter<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
     const auto surface = surfaceOf(initializedDisplay(dpy), handle);
-    const bool ofSize = name == EGL_WIDTH || name == EGL_HEIGHT || name == EGL_BUFFER_AGE_EXT;
-    if (ofSize && thread.current.draw == surface) surface->followNative();
-    std::optional<EGLint> found;
-    if (name == EGL_BUFFER_AGE_EXT) {
-      require(thread.current.draw == surface, EGL_BAD_SURFACE);
-      found = surface->age();
-    } else {
-      found = surfaceAttribute(*surface, name);
-    }
+    const bool current = thread.current.draw == surface;
+    require(current || name != EGL_BUFFER_AGE_EXT, EGL_BAD_SURFACE);
+    const std::optional<EGLint> found =
+        current && isOfSize(name) ? sizeAttribute(*surface, name) : surfaceAttribute(*surface, name);
     require(value, EGL_BAD_PARAMETER);
     if (found) *value = *found;
     return EGL_TRUE;

@@ -16,13 +16,11 @@ EGLint goneError(const Surface &surface) {
   return surface.kind() == EGL_PIXMAP_BIT ? EGL_BAD_NATIVE_PIXMAP : EGL_BAD_NATIVE_WINDOW;
 }
 
-// Everything current on the thread is finished. What moved in a picture that was swapped is gone: without it there is
-// no picture to make unless the program goes on.
+// Everything current on the thread is finished.
 EGLBoolean finishCurrent() {
   return enterUnlocked<EGLBoolean>(EGL_FALSE, [](ThreadState &thread) {
     const Current &current = thread.current;
-    if (current.context && current.context->api.pending()) current.context->api.finish();
-    if (current.context) current.context->api.await();
+    if (current.context) current.context->api.complete();
     require(!current.draw || !current.draw->gone(), EGL_BAD_CURRENT_SURFACE);
     return EGL_TRUE;
   });
@@ -68,7 +66,7 @@ EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType
   });
   if (!valid) return EGL_FALSE;
   return enterUnlocked<EGLBoolean>(EGL_FALSE, [&](ThreadState &thread) {
-    thread.current.context->api.finish();
+    thread.current.context->api.complete();
     require(pixmap && pixmap->present(surface->picture()), EGL_BAD_NATIVE_PIXMAP);
     return EGL_TRUE;
   });

@@ -75,7 +75,7 @@ EGLint eglClientWaitSync(EGLDisplay dpy, EGLSync handle, EGLint flags, EGLTime t
         syncToWaitFor(dpy, handle, [&] { require(bitsOf<EGL_SYNC_FLUSH_COMMANDS_BIT>(flags), EGL_BAD_PARAMETER); });
     const bool own = thread.current.context && sync->context() == thread.current.context;
     if (own && !sync->signaled() && (flags != 0 || timeout != 0)) {
-      thread.current.context->api.finish();
+      thread.current.context->api.complete();
       thread.current.context->fences.passAll();
     }
     return sync->wait(timeout) ? EGL_CONDITION_SATISFIED : EGL_TIMEOUT_EXPIRED;

@@ -81,7 +81,7 @@ EGLBoolean eglBindTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
     const auto surface = texturableSurface(dpy, handle, buffer);
     const auto &context = thread.current.context;
     if (!context) return EGL_TRUE;  // there is no texture to bind to
-    if (thread.current.draw == surface) context->api.finish();
+    if (thread.current.draw == surface) context->api.complete();
     require(surface->texture.bind(context->api, *surface), EGL_BAD_ACCESS);
     return EGL_TRUE;
   });

@@ -27,13 +27,19 @@ bool Surface::checkNative() {
   return !mGone;
 }
 
+Size Surface::nextSize() {
+  if (!mDrawable || mGone) return size();
+  const std::optional<Size> now = mDrawable->size();
+  if (!now) mGone = true;
+  return now.value_or(size());
+}
+
 void Surface::followNative() {
-  if (!mDrawable || mGone) return;
-  if (const std::optional<Size> now = mDrawable->size()) {
-    if (*now != size()) resize(*now);
-  } else {
-    mGone = true;
-  }
+  const Size now = nextSize();
+  if (now == size()) return;
+  mPixels.clear();
+  mSwapped = false;
+  mSize = now;
 }
 
 hal::Target Surface::backBuffer() {
@@ -67,12 +73,6 @@ bool Surface::present() {
   if (!mGone && mDrawable->present(picture())) return true;
   mGone = true;
   return false;
-}
-
-void Surface::resize(Size size) {
-  mPixels.clear();
-  mSwapped = false;
-  mSize = size;
 }
 
 }  // namespace rc::egl

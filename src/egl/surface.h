@@ -31,8 +31,8 @@ class Surface final : public api::DrawSurface, public Handled {
   bool gone() const { return mGone; }
   // Looks whether it still exists.
   bool checkNative();
-  // Takes the size that its window has now. For the thread where it is current: pixels of another size are lost.
-  void followNative();
+  // The size that its window has now, and the next picture will have.
+  Size nextSize();
   // What a context draws is seen when it is traced, not at a swap.
   bool showsAtOnce() const { return attributes.renderBuffer == EGL_SINGLE_BUFFER; }
   // Swaps since the back buffer had the contents it has now; 0 if they are not defined. [EGL_EXT_buffer_age]
@@ -56,7 +56,8 @@ class Surface final : public api::DrawSurface, public Handled {
   bool closeRequested() { return mDrawable && !mGone && mDrawable->closeRequested(); }
 
  private:
-  void resize(Size size);
+  // Takes the size that its window has now: pixels of another size are lost.
+  void followNative();
 
   const Config &mConfig;
   EGLint mKind;

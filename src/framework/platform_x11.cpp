@@ -121,8 +121,9 @@ BOOL WindowPlatform::Create(const char *title, int &width, int &height) {
   SetTitle(title);
   XMapWindow(display, m_pWindow->window);
   XEvent event;
-  do {
+  do {  // a window manager may have sizes of its own
     XWindowEvent(display, m_pWindow->window, StructureNotifyMask, &event);
+    if (event.type == ConfigureNotify) width = event.xconfigure.width, height = event.xconfigure.height;
   } while (event.type != MapNotify);
   return TRUE;
 }

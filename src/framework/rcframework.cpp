@@ -15,6 +15,7 @@ namespace {
 RCFramework *gInstance = nullptr;
 
 constexpr RCenum kRenderingHints[] = {RC_DONT_CARE, RC_FASTEST, RC_NICEST, RC_FASTEST_AND_NICEST};
+constexpr int kFirstRendering = 1;
 constexpr int kLastThreshold = 7;
 constexpr int kMostBounces = 14;
 constexpr int kMostSkip = 3;
@@ -67,7 +68,6 @@ BOOL RCFramework::Initialize(int argc, char **argv) {
     }
     printf("Current resolution : %dx%d\n", m_iWidth, m_iHeight);
   }
-  if (argc >= 5) m_iRendering = std::clamp(atoi(argv[4]), 0, 3);
   if (!Create(m_sTitle, m_iWidth, m_iHeight)) return Fail("no window could be opened");
   if (!InitializeEgl()) return FALSE;
   RCint bounces = 0;
@@ -110,6 +110,7 @@ void RCFramework::InitializeState() {
   rcHint(RC_MIPMAP_HINT, RC_FASTEST);
   m_iThreshold = 0;
   StepThreshold(0);
+  m_iRendering = m_Cmd.argc >= 5 ? std::clamp(atoi(m_Cmd.argv[4]), 0, 3) : kFirstRendering;
   StepRendering(0);
   SetDepthBounce(m_uFirstBounces);
 }

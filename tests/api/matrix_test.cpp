@@ -243,5 +243,19 @@ TEST_F(MatrixTest, OldProfilesResetMatricesAfterAFrameWithDynamicGeometry) {
   EXPECT_EQ(floats(RC_MODELVIEW_MATRIX, 16), kIdentity);
 }
 
+// However often its picture is made: what is set after the first one is the next frame's.
+TEST_F(MatrixTest, AFrameWithDynamicGeometryResetsMatricesOnceWhereTheProfileDoes) {
+  useProfile("1000");
+  pixelCamera();
+  drawQuad({0, 0, 20, 20});
+  rcTranslatef(3, 0, 0);
+  rcFinish();
+  EXPECT_EQ(floats(RC_MODELVIEW_MATRIX, 16)[12], 0);
+  rcTranslatef(5, 0, 0);
+  rcEnable(RC_LIGHT0);
+  rcFinish();
+  EXPECT_EQ(floats(RC_MODELVIEW_MATRIX, 16)[12], 5);
+}
+
 }  // namespace
 }  // namespace rc::test

@@ -48,6 +48,28 @@ TEST_F(MemoryLimitTest, Textures) {
   expectRefused("mip levels");
 }
 
+// The first draw ends the frame before, whose triangles nothing may look for any more.
+TEST_F(MemoryLimitTest, ADrawAfterATracedFrame) {
+  const std::vector<float> vertices(9 * 300000);
+  for (int i = 0; i < 100; ++i) {  // values of their own for each
+    paint(0.01f * float(i), 0, 0);
+    drawQuad({0, 0, kWidth, kHeight});
+  }
+  trace();
+  leave(1 << 20);
+  rcEnableClientState(RC_VERTEX_ARRAY);
+  rcVertexPointer(3, RC_FLOAT, 0, vertices.data());
+  rcDrawArrays(RC_TRIANGLES, 0, 900000);
+  rcDisableClientState(RC_VERTEX_ARRAY);
+  expectRefused("triangles");
+  setMemoryLimit(mOld);
+  RCfloat distance = 0, material = 0;
+  rcReadRaysRCX(5, 5, 1, 1, RC_RAY_DISTANCE, &distance);
+  rcReadRaysRCX(5, 5, 1, 1, RC_RAY_MATERIAL, &material);
+  EXPECT_EQ(distance, -1) << "the new frame is empty";
+  EXPECT_EQ(pixel(5, 5), kBlack) << "and so is its picture";
+}
+
 TEST_F(MemoryLimitTest, Buffers) {
   rcBindBuffer(RC_ARRAY_BUFFER, 1);
   leave(1 << 20);

@@ -164,11 +164,29 @@ TEST_F(Pipeline, ReadingAndAskingWait) {
   rcGetIntegerv(RC_FRAME_RAYS_PRIMARY, &rays);
   EXPECT_EQ(triangles, 4);
   EXPECT_EQ(rays, kSide * kSide);
+}
+
+TEST_F(Pipeline, WhatWasSwappedCanBeRead) {
+  const std::vector<Picture> expected = truth();
   drawFrame(2);
   swap();
+  EXPECT_EQ(read(), expected[2]) << "the buffer is preserved";
+  rcEnable(RC_LIGHT1);
   Picture empty{};
   empty.fill(read()[0]);
-  EXPECT_EQ(read(), empty) << "what moves has ended with its frame";
+  EXPECT_EQ(read(), empty) << "what moves has ended with its frame, so another one shows nothing of it";
+}
+
+// The usual way not to run ahead of the pictures.
+TEST_F(Pipeline, WaitingForAFenceBehindASwapMakesNoOtherPicture) {
+  drawFrame(1);
+  swap();
+  const EGLSync fence = eglCreateSync(mDisplay, EGL_SYNC_FENCE, nullptr);
+  EXPECT_EQ(eglClientWaitSync(mDisplay, fence, EGL_SYNC_FLUSH_COMMANDS_BIT, EGL_FOREVER), EGL_CONDITION_SATISFIED);
+  RCint triangles = 0;
+  rcGetIntegerv(RC_FRAME_TRIANGLES, &triangles);
+  EXPECT_EQ(triangles, 4);
+  EXPECT_TRUE(eglDestroySync(mDisplay, fence));
 }
 
 TEST_F(Pipeline, AFenceBehindASwapIsPassedByItself) {

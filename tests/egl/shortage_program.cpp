@@ -96,8 +96,8 @@ void ShortageProgram::loadBuffers() {
 
 void ShortageProgram::drawStatics() {
   rcStaticSceneBegin();
-  rcEnable(RC_TEXTURE_2D);
   rcBindMaterial(1);
+  rcEnable(RC_TEXTURE_2D);
   rcMaterialf(RC_FRONT_AND_BACK, RC_REFLECTION, 0.4f);
   rcVertexPointer(3, RC_FLOAT, 0, nullptr);
   rcTexCoordPointer(2, RC_FLOAT, 3 * sizeof(float), nullptr);
@@ -106,7 +106,6 @@ void ShortageProgram::drawStatics() {
   rcDrawArrays(RC_QUADS, 0, kSmall.kVertices);
   note();
   rcDisableClientState(RC_TEXTURE_COORD_ARRAY);
-  rcDisable(RC_TEXTURE_2D);
   rcBindBuffer(RC_ARRAY_BUFFER, 0);
   rcBindMaterial(0);
   rcStaticSceneEnd();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// Shows in the colour of its picture what the framework told it: the mouse as (x, y, buttons), a key as (code, 0, 1).
+// Shows in the colour of its picture what the framework told it: the mouse as (x, y, buttons), a key as (code,
+// rendering hint, 1).
 #include "RCFramework.h"
 
 namespace {
@@ -13,7 +14,11 @@ class Input : public RCFramework {
  protected:
   BOOL OnDraw() override { return TRUE; }
   void OnMouseEvent(float x, float y, DWORD buttons) override { rcClearColor(x, y, float(buttons) / 16, 1); }
-  void OnKeyDown(char key) override { rcClearColor((float(key) + 0.5f) / 256, 0, 1, 1); }
+  void OnKeyDown(char key) override {
+    RCint hint = 0;
+    rcGetIntegerv(RC_RENDERING_HINT, &hint);
+    rcClearColor((float(key) + 0.5f) / 256, float(hint - RC_DONT_CARE) / 16, 1, 1);
+  }
 };
 
 Input gInput;

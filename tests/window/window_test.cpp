@@ -49,6 +49,13 @@ class WindowTest : public testing::TestWithParam<Server> {
     ASSERT_TRUE(eventually([&] { return (mWindow = mServer->find(title)) != 0; })) << "no window \"" << title << "\"";
   }
 
+  bool comesToShow(Pixel colour) {
+    return eventually([&] {
+      const Picture shown = mServer->screenshot(mWindow);
+      return !shown.empty() && shown.at(0, 0) == colour;
+    });
+  }
+
   // Whether the window comes to show just what was traced for it.
   bool showsItsPicture(int width, int height) {
     return eventually([&] {
@@ -137,30 +144,52 @@ TEST_P(WindowTest, AltEnterFillsTheScreenAndBack) {
 }
 
 constexpr uint8_t kLeft = 1, kRight = 2;  // [reference 6.1]
+constexpr uint8_t kFastest = 16;          // the rendering hint, as the program shows it
 
 // The program shows in the colour of its picture what it was told.
 TEST_P(WindowTest, MouseAndKeysReachTheVirtualMethods) {
   start(RAYCORE_INPUT_PROGRAM, "Input");
   if (HasFatalFailure()) return;
-  const auto shows = [&](Pixel wanted) {
-    return eventually([&] {
-      const Picture shown = mServer->screenshot(mWindow);
-      return !shown.empty() && shown.at(0, 0) == wanted;
-    });
-  };
-  EXPECT_TRUE(shows({0, 0, 0}));
+  EXPECT_TRUE(comesToShow({0, 0, 0}));
   mServer->moveMouse(mWindow, 100, 25);  // of 200 x 100
-  EXPECT_TRUE(shows({128, 64, 0}));
+  EXPECT_TRUE(comesToShow({128, 64, 0}));
   mServer->pressButton(mWindow, Button1, 50, 50, 0);
-  EXPECT_TRUE(shows({64, 128, kLeft * 16}));
+  EXPECT_TRUE(comesToShow({64, 128, kLeft * 16}));
   mServer->pressButton(mWindow, Button3, 50, 50, Button1Mask);
-  EXPECT_TRUE(shows({64, 128, (kLeft | kRight) * 16}));
+  EXPECT_TRUE(comesToShow({64, 128, (kLeft | kRight) * 16}));
   mServer->releaseButton(mWindow, Button1, 100, 50, Button1Mask | Button3Mask);
-  EXPECT_TRUE(shows({128, 128, kRight * 16}));
+  EXPECT_TRUE(comesToShow({128, 128, kRight * 16}));
   mServer->pressKey(mWindow, XK_z);
-  EXPECT_TRUE(shows({'Z', 0, 255}));
+  EXPECT_TRUE(comesToShow({'Z', kFastest, 255}));
   mServer->pressKey(mWindow, XK_KP_7);
-  EXPECT_TRUE(shows({'7', 0, 255}));
+  EXPECT_TRUE(comesToShow({'7', kFastest, 255}));
+}
+
+TEST_P(WindowTest, KeyIBringsTheStartValuesBack) {
+  start(RAYCORE_INPUT_PROGRAM, "Input");
+  if (HasFatalFailure()) return;
+  for (int i = 0; i < 2; ++i) mServer->pressKey(mWindow, XK_Up);
+  mServer->pressKey(mWindow, XK_z);
+  EXPECT_TRUE(comesToShow({'Z', 3 * kFastest, 255})) << "another rendering hint";
+  mServer->pressKey(mWindow, XK_i);
+  EXPECT_TRUE(comesToShow({'I', kFastest, 255}));
+}
+
+// We are the window manager: it decides how large a window is before it is there.
+TEST_P(WindowTest, AWindowManagerHasSizesOfItsOwn) {
+  Display *x = mServer->connection();
+  XSelectInput(x, DefaultRootWindow(x), SubstructureRedirectMask);
+  XSync(x, False);
+  mProgram.emplace(std::vector<std::string>{RAYCORE_INPUT_PROGRAM},
+                   std::vector<std::string>{"DISPLAY=" + mServer->name()});
+  XEvent event;
+  ASSERT_TRUE(eventually([&] { return XCheckTypedEvent(x, MapRequest, &event) == True; }));
+  mWindow = event.xmaprequest.window;
+  XResizeWindow(x, mWindow, 100, 50);
+  XMapWindow(x, mWindow);
+  XSync(x, False);
+  mServer->moveMouse(mWindow, 50, 25);
+  EXPECT_TRUE(comesToShow({128, 128, 0})) << "in the middle of it";
 }
 
 TEST_P(WindowTest, AWindowOfTheLibrarysOwn) {
