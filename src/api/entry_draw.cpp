@@ -102,8 +102,8 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   const ArrayState &arrays = context.state.arrays;
   if (!arrays.vertex.enabled || hasNullPointer(arrays)) return context.noteEmptyDraw();
   if (indices.count < 3) return;  // no primitive; the frame before stays
+  if (context.scene.drawEndsFrame()) context.touch();  // though there may be no memory for what is drawn
   ddk::GeometrySet &set = context.scene.target();
-  context.touch();  // the frame before has ended here, though there may be no memory for this draw
   ddk::DrawCall call{.primitive = primitive, .indices = indices};
   call.vertices = viewIfEnabled(arrays.vertex);
   call.normals = viewIfEnabled(arrays.normal);
@@ -122,6 +122,7 @@ void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indi
   const Stopwatch watch;
   ddk::appendTriangles(call, set, context.driver().workers());
   context.noteTransformed(watch.milliseconds());
+  context.touch();
 }
 
 size_t bytesOf(ddk::IndexType type) { return type == ddk::IndexType::Byte ? 1 : type == ddk::IndexType::Short ? 2 : 4; }

@@ -33,6 +33,8 @@ class Scene {
 
   // Where a draw call's triangles go. The first ones after a traced frame begin the next frame.
   GeometrySet &target();
+  // Whether target() ends a traced frame, whose dynamic geometry is gone then.
+  bool drawEndsFrame() const { return mDynamicsTraced && !mInStaticScene; }
 
   // The frame is traced from now on: its dynamic geometry is complete. Whether a structure must be built for it.
   bool beginFrame();
