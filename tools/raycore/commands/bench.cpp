@@ -102,10 +102,8 @@ Json runAll(const BenchOptions &options) {
     results.push_back(run(options, tasks[i], std::move(scenes[i])));
     progress.done(int(i) + 1);
   }
-  Json all = settingsOf(options);
-  all["format"] = kFormat;
-  all["raycore"] = versionText();
-  all["machine"] = aboutMachine();
+  Json all{{"format", kFormat}, {"raycore", versionText()}, {"machine", aboutMachine()}};
+  all.update(settingsOf(options));
   all["repeat"] = options.repeat;
   all["scenes"] = results;
   return all;
