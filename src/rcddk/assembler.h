@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// assembler.h: the triangles of a draw call, one after the other: transformed, skinned, clipped.
+// assembler.h: the triangles of a draw call: transformed, skinned, clipped.
 // In: DrawCall, numbers of vertices.  Out: rows of triangles and attributes.  Next: rcddk/geometry.cpp
 #pragma once
 
 #include "rcddk/clip.h"
 #include "rcddk/vertex_fetch.h"
+#include "rcddk/vertex_stage.h"
 
 namespace rc::ddk {
 
@@ -46,22 +47,61 @@ class Assembler {
     for (const ArrayView *array : {&call.vertices, &call.normals, &call.texCoords, &call.colors}) {
       if (array->data) mElements = std::min(mElements, array->elements);
     }
+    if (!call.texCoords.data) mTexCoord = transformed(call.texCoord);
     if (call.palette.empty()) return;
     mElements = std::min({mElements, call.matrixIndices.elements, call.weights.elements});
   }
 
-  const Assembled &result() const { return mOut; }
-
   // A triangle of the draw call; `last` is the vertex that counts where shading is flat.
   void add(size_t i0, size_t i1, size_t i2, size_t last) {
-    const size_t elements[3] = {loadIndex(mCall.indices, i0), loadIndex(mCall.indices, i1),
-                                loadIndex(mCall.indices, i2)};
-    const size_t shading = mCall.flatShading ? loadIndex(mCall.indices, last) : 0;
-    for (const size_t element : {elements[0], elements[1], elements[2], shading}) {
-      if (element >= mElements) return void(++mOut.skipped.noData);
+    Elements &elements = mWaiting[mCount];
+    elements = {{loadIndex(mCall.indices, i0), loadIndex(mCall.indices, i1), loadIndex(mCall.indices, i2)}, {}};
+    for (size_t i = 0; i < 3; ++i) {
+      elements.shading[i] = mCall.flatShading ? loadIndex(mCall.indices, last) : elements.vertices[i];
+      if (std::max(elements.vertices[i], elements.shading[i]) >= mElements) return void(++mOut.skipped.noData);
     }
+    if (++mCount == kWaiting) finishWaiting();
+  }
+
+  // All that was added.
+  const Assembled &result() {
+    finishWaiting();
+    return mOut;
+  }
+
+ private:
+  static constexpr size_t kWaiting = VertexColumns::kMost / 3;
+
+  // Of the arrays: where the corners of a triangle have their positions, and where their normals and colours.
+  struct Elements {
+    size_t vertices[3], shading[3];
+  };
+
+  void finishWaiting() {
+    const size_t count = 3 * mCount;
+    for (size_t i = 0; i < count; ++i) fetch(mWaiting[i / 3].vertices[i % 3], mWaiting[i / 3].shading[i % 3], i);
+    if (mCall.palette.empty()) {
+      transformPositions(mCall.worldFromObject, count, mVertices);
+      if (hasUnitNormals()) transformNormals(mNormalMatrix, count, mVertices);
+    }
+    for (size_t i = 0; i < mCount; ++i) addClipped(mWaiting[i], 3 * i);
+    mCount = 0;
+  }
+
+  // Clipping and the palette need normals as long as they are.
+  bool hasUnitNormals() const { return mCall.normals.data && mCall.clipPlanes.empty() && mCall.palette.empty(); }
+
+  void fetch(size_t element, size_t shading, size_t i) {
+    const Vec3 position = mCall.palette.empty() ? loadVec3(mCall.vertices, element) : skinnedPosition(element);
+    for (int axis = 0; axis < 3; ++axis) mVertices.position[axis][i] = position[axis];
+    if (!mCall.normals.data) return;
+    const Vec3 normal = hasUnitNormals() ? loadVec3(mCall.normals, shading) : worldNormal(shading);
+    for (int axis = 0; axis < 3; ++axis) mVertices.normal[axis][i] = normal[axis];
+  }
+
+  void addClipped(const Elements &elements, size_t first) {
     Corner corners[3];
-    for (size_t i = 0; i < 3; ++i) corners[i] = corner(elements[i], mCall.flatShading ? shading : elements[i]);
+    for (size_t i = 0; i < 3; ++i) corners[i] = corner(elements, i, first + i);
     const bool finite = isFinite(corners[0].position + corners[1].position + corners[2].position);
     if (mCall.clipPlanes.empty() || !finite) return addTriangle(corners[0], corners[1], corners[2]);
     const std::span<const Corner> left = mClipper.clip(corners, mCall.clipPlanes);
@@ -69,15 +109,20 @@ class Assembler {
     for (size_t i = 2; i < left.size(); ++i) addTriangle(left[0], left[i - 1], left[i]);
   }
 
- private:
-  Corner corner(size_t element, size_t shading) const {
-    Corner corner{.position = position(element), .uv = texCoord(element)};
-    if (mCall.normals.data) corner.normal = normal(shading);
-    if (mCall.colors.data) corner.color = glm::clamp(loadColor(mCall.colors, shading), 0.0f, 1.0f);
+  // Inlined with addTriangle: a corner that goes through memory is read there in other pieces than it was written in,
+  // which processors wait for.
+  [[gnu::always_inline]] Corner corner(const Elements &elements, size_t i, size_t column) const {
+    const auto vector = [column](const float(&columns)[3][VertexColumns::kRoom]) {
+      return Vec3(columns[0][column], columns[1][column], columns[2][column]);
+    };
+    Corner corner{.position = vector(mVertices.position), .uv = mTexCoord};
+    if (mCall.normals.data) corner.normal = vector(mVertices.normal);
+    if (mCall.texCoords.data) corner.uv = transformed(Vec4(loadVec2(mCall.texCoords, elements.vertices[i]), 0, 1));
+    if (mCall.colors.data) corner.color = glm::clamp(loadColor(mCall.colors, elements.shading[i]), 0.0f, 1.0f);
     return corner;
   }
 
-  void addTriangle(const Corner &a, const Corner &b, const Corner &c) {
+  [[gnu::always_inline]] void addTriangle(const Corner &a, const Corner &b, const Corner &c) {
     const Corner *corners[3] = {&a, &b, &c};
     hal::HotTriangle triangle{
         a.position, b.position, c.position, mCall.material, mCall.flags & ~uint32_t{hal::kTangentFrame}, 0};
@@ -104,32 +149,30 @@ class Assembler {
   }
 
   // The palette acts after the modelview matrix.
-  Vec3 position(size_t element) const {
+  Vec3 skinnedPosition(size_t element) const {
     const Vec4 world = mCall.worldFromObject * Vec4(loadVec3(mCall.vertices, element), 1);
-    return Vec3(mCall.palette.empty() ? world : blend(mCall, element) * world);
+    return Vec3(blend(mCall, element) * world);
   }
 
-  Vec3 normal(size_t element) const {
+  Vec3 worldNormal(size_t element) const {
     const Vec3 world = mNormalMatrix * loadVec3(mCall.normals, element);
     return mCall.palette.empty() ? world : normalMatrix(blend(mCall, element)) * world;
   }
 
-  Vec2 texCoord(size_t element) const {
-    const Vec4 given = mCall.texCoords.data ? Vec4(loadVec2(mCall.texCoords, element), 0, 1) : mCall.texCoord;
-    const Vec4 coordinate = mCall.textureMatrix * given;
+  Vec2 transformed(const Vec4 &texCoord) const {
+    const Vec4 coordinate = mCall.textureMatrix * texCoord;
     const float q = coordinate.w != 0 ? coordinate.w : 1;
     return Vec2(coordinate) / q;
   }
 
   // False where no corner has a usable normal; a corner without one gets the flat normal.
-  static bool setNormals(const Corner *const (&corners)[3], const Vec3 &edges, hal::TriangleAttributes &attributes) {
-    const Vec3 flat = glm::normalize(edges);
+  bool setNormals(const Corner *const (&corners)[3], const Vec3 &edges, hal::TriangleAttributes &attributes) const {
+    const Vec3 none(0);
     bool usable = false;
     for (size_t i = 0; i < 3; ++i) {
-      const Vec3 given = corners[i]->normal;
-      const bool valid = isFinite(given) && glm::length(given) > 0;
-      attributes.normal[i] = valid ? normalizedOr(given, flat) : flat;
-      usable |= valid;
+      const Vec3 unit = hasUnitNormals() ? corners[i]->normal : normalizedOr(corners[i]->normal, none);
+      attributes.normal[i] = unit != none ? unit : glm::normalize(edges);
+      usable |= unit != none;
     }
     return usable;
   }
@@ -157,6 +200,10 @@ class Assembler {
   Assembled mOut;
   glm::mat3 mNormalMatrix;
   size_t mElements = SIZE_MAX;  // that every array has
+  Vec2 mTexCoord{0};            // of all vertices where there is no array
+  Elements mWaiting[kWaiting];  // triangles whose vertices are transformed together
+  size_t mCount = 0;
+  VertexColumns mVertices;
   Clipper mClipper;
 };
 
