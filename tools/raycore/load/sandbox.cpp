@@ -27,11 +27,11 @@
 #include "load/archive.h"
 #include "load/load.h"
 
-#if defined(__SANITIZE_ADDRESS__)
-#define RAYCORE_ADDRESS_SANITIZER 1
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define RAYCORE_SHADOW_MEMORY 1
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define RAYCORE_ADDRESS_SANITIZER 1
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define RAYCORE_SHADOW_MEMORY 1
 #endif
 #endif
 
@@ -77,7 +77,7 @@ class Descriptor {
 void enterSandbox(const Limits &limits) {
   limit(RLIMIT_CPU, limits.seconds);
   limit(RLIMIT_CORE, 0);
-#ifndef RAYCORE_ADDRESS_SANITIZER  // whose shadow memory is larger than any limit
+#ifndef RAYCORE_SHADOW_MEMORY  // of a sanitizer, which is larger than any limit
   limit(RLIMIT_AS, limits.bytes);
 #endif
   // Libraries print what they return as well; RAYCORE_LOG=debug shows it.
