@@ -153,8 +153,7 @@ void Context::pictureFailed() {
 
 void Context::complete() {
   const std::lock_guard lock(mObjects->mutex);
-  if (mSurface && mEnded != mObjects->changes) finish();
-  await();
+  mSurface &&mEnded != mObjects->changes ? finish() : await();
 }
 
 hal::Target Context::picture() {

@@ -23,7 +23,7 @@ Surface::Surface(const Config &config, EGLint kind, const SurfaceAttributes &ini
     : attributes(initial), mConfig(config), mKind(kind), mNative(native), mDrawable(std::move(drawable)), mSize(size) {}
 
 bool Surface::checkNative() {
-  if (mDrawable && !mGone && !mDrawable->size()) mGone = true;
+  nextSize();
   return !mGone;
 }
 

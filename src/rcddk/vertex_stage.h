@@ -15,6 +15,7 @@ struct VertexColumns {
   static constexpr size_t kMost = 192;         // vertices: those of 64 triangles
   static constexpr size_t kRoom = kMost + 16;  // a vector may reach beyond the last one
 
+  // Zeros, since arithmetic with what memory happens to hold behind the last vertex takes longer than writing them.
   alignas(64) float position[3][kRoom] = {};
   alignas(64) float normal[3][kRoom] = {};
 };

@@ -7,7 +7,19 @@
 namespace rc::test {
 namespace {
 
-using DrawTest = GeometryTest;
+class DrawTest : public GeometryTest {
+ protected:
+  // White over the whole picture, under half a light: 128.
+  void drawLitWall() {
+    const float black[] = {0, 0, 0}, white[] = {1, 1, 1}, half[] = {0.5f, 0.5f, 0.5f};
+    rcMaterialfv(RC_FRONT_AND_BACK, RC_AMBIENT, black);
+    rcMaterialfv(RC_FRONT_AND_BACK, RC_DIFFUSE, white);
+    rcEnable(RC_LIGHTING);
+    rcEnable(RC_LIGHT0);
+    rcLightfv(RC_LIGHT0, RC_DIFFUSE, half);
+    drawQuad({0, 0, 64, 48});
+  }
+};
 
 TEST_F(DrawTest, DrawErrors) {
   useVertices(kSquare);
@@ -177,13 +189,7 @@ TEST_F(DrawTest, TextureOnlyIsCapturedByTheDraw) {
 }
 
 TEST_F(DrawTest, TransmittanceShadowIsCapturedByTheDraw) {
-  const float black[] = {0, 0, 0}, white[] = {1, 1, 1}, half[] = {0.5f, 0.5f, 0.5f};
-  rcMaterialfv(RC_FRONT_AND_BACK, RC_AMBIENT, black);
-  rcMaterialfv(RC_FRONT_AND_BACK, RC_DIFFUSE, white);
-  rcEnable(RC_LIGHTING);
-  rcEnable(RC_LIGHT0);
-  rcLightfv(RC_LIGHT0, RC_DIFFUSE, half);
-  drawQuad({0, 0, 64, 48});
+  drawLitWall();
   rcMaterialf(RC_FRONT_AND_BACK, RC_TRANSMITTANCE, 0.5f);
   rcEnable(RC_USE_TRANSMITTANCE_SHADOW);
   drawQuad({0, 0, 20, 48}, 100);  // behind the viewer
@@ -196,13 +202,7 @@ TEST_F(DrawTest, TransmittanceShadowIsCapturedByTheDraw) {
 }
 
 TEST_F(DrawTest, TextureAlphaShadowIsCapturedByTheDraw) {
-  const float black[] = {0, 0, 0}, white[] = {1, 1, 1}, half[] = {0.5f, 0.5f, 0.5f};
-  rcMaterialfv(RC_FRONT_AND_BACK, RC_AMBIENT, black);
-  rcMaterialfv(RC_FRONT_AND_BACK, RC_DIFFUSE, white);
-  rcEnable(RC_LIGHTING);
-  rcEnable(RC_LIGHT0);
-  rcLightfv(RC_LIGHT0, RC_DIFFUSE, half);
-  drawQuad({0, 0, 64, 48});
+  drawLitWall();
   rcBindTexture(RC_TEXTURE_2D, 1);
   rcEnable(RC_TEXTURE_2D);
   rcTextureAlpha(4);  // opacity 1/4

@@ -11,9 +11,10 @@ namespace rc::test {
 namespace {
 
 int gErrors = 0;
-int countErrors(Display *, XErrorEvent *) { return ++gErrors; }
 
 }  // namespace
+
+int countErrors(Display *, XErrorEvent *) { return ++gErrors; }
 
 void draw() {
   RCint viewport[4];

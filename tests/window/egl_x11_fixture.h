@@ -66,6 +66,9 @@ Picture traced();
 // The largest difference of a channel; 256 for pictures of different sizes or without contents.
 int difference(const Picture &a, const Picture &b);
 
+// The program's handler of X errors, which must not be called.
+int countErrors(Display *, XErrorEvent *);
+
 struct Screen {
   const char *name;
   std::vector<std::string> options;

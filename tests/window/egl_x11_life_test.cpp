@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // EGL on X servers: windows, displays and servers that come and go.
+#include <EGL/egl.h>
 #include <EGL/eglext.h>
 
 #include <atomic>

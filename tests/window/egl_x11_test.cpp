@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // EGL on X servers of several depths: windows and pixmaps show what a pbuffer holds, and follow sizes.
+#include <EGL/egl.h>
 #include <EGL/eglext.h>
 
 #include <random>

@@ -136,10 +136,11 @@ void check(const RenderOptions &options) {
   if (options.json) reject("--json and the picture would both go to standard output: name a file");
 }
 
+bool isSequence(const RenderOptions &options) { return !options.frames.empty() || isNumbered(options.output); }
+
 // A film or a sequence plays the first animation unless another is named.
 void chooseAnimation(const Scene &scene, RenderOptions &options) {
-  const bool moves =
-      isVideo(options.output) || isNumbered(options.output) || !options.frames.empty() || options.time != 0;
+  const bool moves = isVideo(options.output) || isSequence(options) || options.time != 0;
   if (moves && options.show.animation.empty() && !scene.animations.empty()) options.show.animation = "0";
 }
 
@@ -153,7 +154,7 @@ int render(RenderOptions options) {
   finishFrameOnInterrupt();
   const FrameRange range = options.frames.empty() ? wholeAnimation(show, options.fps) : asked;
   if (isVideo(options.output)) return renderVideo(options, show, range);
-  if (options.frames.empty() && !isNumbered(options.output)) return renderStill(options, show);
+  if (!isSequence(options)) return renderStill(options, show);
   return makeFrames(options, show, range, options.output) ? 0 : interrupted(options);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands/commands.h"
+#include "commands/load_options.h"
 #include "commands/show_options.h"
 #include "output/picture_file.h"
 #include "view/viewer.h"
