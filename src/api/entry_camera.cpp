@@ -22,7 +22,7 @@ void setFrustum(Context &context, double l, double r, double b, double t, double
     return context.fail(RC_INVALID_VALUE, "left ... right is %g ... %g and bottom ... top %g ... %g: one is empty", l,
                         r, b, t);
   }
-  if (!std::isfinite(l + r + b + t + zNear))
+  if (!std::isfinite((r - l) + (t - b) + zNear))
     return context.fail(RC_INVALID_VALUE, "left, right, bottom, top or zNear is not finite");
   context.state.view.camera.window = {l, r, b, t, zNear, false};
   context.touch();
@@ -35,7 +35,7 @@ void setOrtho(Context &context, double l, double r, double b, double t, double z
                         "left ... right is %g ... %g, bottom ... top %g ... %g, zNear ... zFar %g ... %g: one is empty",
                         l, r, b, t, zNear, zFar);
   }
-  if (!std::isfinite(l + r + b + t + zNear))
+  if (!std::isfinite((r - l) + (t - b) + zNear))
     return context.fail(RC_INVALID_VALUE, "left, right, bottom, top or zNear is not finite");
   context.state.view.camera.window = {l, r, b, t, zNear, true};
   context.touch();

@@ -82,6 +82,7 @@ TEST_F(CameraTest, FrustumErrors) {
   EXPECT_RAISES(RC_INVALID_VALUE, rcFrustumf(kNan, 1, -1, 1, 1, 10));
   EXPECT_RAISES(RC_INVALID_VALUE, rcFrustumf(-1, 1, -1, 1, kNan, 10));
   EXPECT_RAISES(RC_INVALID_VALUE, rcFrustumf(-1, kInf, -1, 1, 1, 10));
+  EXPECT_RAISES(RC_INVALID_VALUE, rcFrustum(-1.5e308, 1.5e308, -1, 1, 1, 10));
 }
 
 TEST_F(CameraTest, PerspectiveErrors) {
@@ -162,6 +163,19 @@ TEST_F(CameraTest, NearAndFarClipNothing) {
   drawQuad({-1e5f, -1e5f, 1e5f, 1e5f}, -5000);
   rcFinish();
   EXPECT_EQ(pixel(32, 24), (Colour{255, 0, 0}));
+}
+
+TEST_F(CameraTest, TheSameWindowNearerOrFartherShowsTheSame) {
+  for (const double scale : {1.0, 0x1p-1060, 1e-300, 0x1p-100, 0x1p100, 1e300}) {
+    pixelCamera();
+    rcFrustum(-32 * scale, 32 * scale, -24 * scale, 24 * scale, 64 * scale, 100 * scale);
+    paint(1, 1, 1);
+    drawQuad({9.75f, 19.75f, 20.25f, 30.25f});
+    rcFinish();
+    EXPECT_EQ(pixel(15, 25), (Colour{255, 255, 255})) << scale;
+    for (const auto &[x, y] : {std::pair{9, 25}, {21, 25}, {15, 19}, {15, 31}}) EXPECT_EQ(pixel(x, y), kBlack) << scale;
+  }
+  EXPECT_CLEAN();
 }
 
 TEST_F(CameraTest, OffCentreWindowsAreHonouredOrCentredByProfile) {

@@ -41,7 +41,9 @@ expect 2 'size.*0x10.* is not two whole numbers from 1 to 16384' "$tool" render 
 expect 2 'samples' "$tool" render "$model" -o a.png --samples 65
 expect 1 '^raycore: missing.glb: cannot be opened: No such file' "$tool" info missing.glb
 expect 1 'no model format' "$tool" info said
-expect 1 'extension is none of' "$tool" render "$model" -o a.tga
+expect 2 'extension is none of' "$tool" render "$model" -o a.tga
+expect 2 'frames: "abc" is not a range' "$tool" render "$model" -o a.png --frames abc
+expect 2 'there is no such scene' "$tool" bench --only nothing
 expect 1 'camera "7"' "$tool" render "$model" -o a.png --camera 7
 expect 1 'animation "Walk"' "$tool" render "$model" -o a.png --animation Walk
 expect 1 'the file has none' "$tool" render "$model" -o a.png --lights file
@@ -49,8 +51,8 @@ expect 1 'neither a colour nor a picture' "$tool" render "$model" -o a.png --bac
 expect 2 'ground: "nope" is none of checker,matte,mirror,none' "$tool" render "$model" -o a.png --ground nope
 expect 2 'camera excludes --eye' "$tool" render "$model" -o a.png --camera 0 --eye 1,2,3
 expect 2 'not finite' "$tool" render "$model" -o a.png --fov nan
-expect 1 'both go to standard output' "$tool" render "$model" -o - --json
-expect 1 'the picture needs a file' "$tool" stats "$model" --heatmap -
+expect 2 '^raycore: --json and the picture would both go to standard output' "$tool" render "$model" -o - --json
+expect 2 'the picture needs a file' "$tool" stats "$model" --heatmap -
 expect 1 'standard output cannot be written' bash -c '"$1" info "$2" >/dev/full' - "$tool" "$model"
 expect 1 'cannot be written' "$tool" render "$model" -o /proc/a.png --size 16x16
 expect 1 'no X server' env DISPLAY=:9999 "$tool" view "$model"

@@ -11,6 +11,7 @@
 #include <new>
 
 #include "commands/commands.h"
+#include "input/error.h"
 
 namespace {
 
@@ -32,6 +33,9 @@ template <class Action>
 int guarded(Action &&action) {
   try {
     return action();
+  } catch (const UsageError &error) {
+    std::fprintf(stderr, "raycore: %s\n", error.what());
+    return kWrongUsage;
   } catch (const std::bad_alloc &) {
     std::fprintf(stderr, "raycore: there is not enough memory\n");
   } catch (const std::exception &error) {

@@ -69,7 +69,7 @@ std::vector<Task> tasksOf(const BenchOptions &options) {
     reject("--scenes {}: none of the bench's files is there, such as {}", options.scenes, filesOfTheSet()[0]);
   }
   std::erase_if(tasks, [&](const Task &task) { return !isWanted(options, task.name); });
-  if (tasks.empty()) reject("--only {}: there is no such scene; --help lists them", fmt::join(options.only, ","));
+  if (tasks.empty()) refuseOption("--only {}: there is no such scene; --help lists them", fmt::join(options.only, ","));
   return tasks;
 }
 

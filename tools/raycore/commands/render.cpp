@@ -132,8 +132,8 @@ void check(const RenderOptions &options) {
   if (isVideo(options.output)) return checkFfmpeg();
   checkPictureName(options.output);
   if (options.output != "-") return;
-  if (!options.frames.empty()) reject("numbered pictures need files: -o NAME-%04d.png");
-  if (options.json) reject("--json and the picture would both go to standard output: name a file");
+  if (!options.frames.empty()) refuseOption("numbered pictures need files: -o NAME-%04d.png");
+  if (options.json) refuseOption("--json and the picture would both go to standard output: name a file");
 }
 
 bool isSequence(const RenderOptions &options) { return !options.frames.empty() || isNumbered(options.output); }

@@ -51,7 +51,7 @@ void print(const StatsOptions &options, const Measurement &m) {
 
 int stats(const StatsOptions &options) {
   if (!options.heatMap.empty()) checkPictureName(options.heatMap);
-  if (options.heatMap == "-") reject("--heatmap: the numbers go to standard output, the picture needs a file");
+  if (options.heatMap == "-") refuseOption("--heatmap: the numbers go to standard output, the picture needs a file");
   Show show(loadNamed(options.input), options.show);
   printNotes(options.input, show.scene(), options.load);
   const Measurement measurement = measure(show, options.repeat);

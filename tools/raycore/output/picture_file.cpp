@@ -62,7 +62,7 @@ struct Temporary {
 void checkPictureName(const std::string &name) {
   if (name == "-" || isPng(name) || isJpeg(name)) return;
   if (!std::ranges::count(kOthers, extensionOf(name))) {
-    reject("{}: the extension is none of png, jpg, bmp, ppm, exr", name);
+    refuseOption("{}: the extension is none of png, jpg, bmp, ppm, exr", name);
   }
   codec();
 }

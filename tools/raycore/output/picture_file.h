@@ -10,8 +10,8 @@
 
 namespace rc::tool {
 
-// PNG, JPEG, BMP, PPM, OpenEXR by the name's extension. Throws InputError: another extension,
-// or what writes it is not installed.
+// PNG, JPEG, BMP, PPM, OpenEXR by the name's extension. Throws UsageError: another extension;
+// InputError: what writes it is not installed.
 void checkPictureName(const std::string &name);
 
 // Throws InputError: it is no folder.

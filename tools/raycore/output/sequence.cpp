@@ -48,8 +48,8 @@ FrameRange rangeFrom(const std::string &text) {
   const bool two = rest.starts_with('-');
   if (two) rest.remove_prefix(1);
   const std::optional<int> last = two ? takeNumber(rest) : first;
-  if (!first || !last || !rest.empty()) reject("--frames: \"{}\" is not a range such as 0-99", text);
-  if (*last < *first) reject("--frames: {} comes after {}", *first, *last);
+  if (!first || !last || !rest.empty()) refuseOption("--frames: \"{}\" is not a range such as 0-99", text);
+  if (*last < *first) refuseOption("--frames: {} comes after {}", *first, *last);
   return {*first, *last};
 }
 

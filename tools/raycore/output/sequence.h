@@ -14,7 +14,7 @@ struct FrameRange {
   int count() const { return last - first + 1; }
 };
 
-// "a-b" or "a". Throws InputError.
+// "a-b" or "a". Throws UsageError.
 FrameRange rangeFrom(const std::string &text);
 
 // %d or %04d in the pattern becomes the number; without one, -0001 is put before the extension.
