@@ -1,6 +1,6 @@
 # Debian packages: cmake --preset package && cmake --build --preset package && cpack --preset package.
 # The number in libraycore1 is that of the binary interface, RAYCORE_ABI; the library's own name has none, because old
-# programs ask for libRayCoreAPI.so. [docs/book/howto/packages.md]
+# programs ask for libRayCoreAPI.so. [docs/howto/packages.md]
 set(RAYCORE_ABI 1)
 
 set(CPACK_GENERATOR DEB)

@@ -105,7 +105,7 @@ class RCFramework : protected WindowPlatform {
   virtual int SkipFrame();
   /* Generations of secondary rays, limited to 14. */
   void SetDepthBounce(unsigned bounces);
-  /* Second generation; stored, without effect on the picture yet. Limited to 8191, 32 and 10. [reference 4.12] */
+  /* Second generation; stored, without effect on the picture yet. Limited to 8191, 32 and 10. [beyond the guide] */
   void SetLightRadius(float radius);
   void SetSPPCount(unsigned count);
   void SetDiffuseRate(unsigned rate);

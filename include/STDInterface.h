@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  * SPDX-FileCopyrightText: The raycore authors
  *
- * STDInterface.h: the Windows-style names that RayCore programs use on every platform. [spec 6]
+ * STDInterface.h: the Windows-style names that RayCore programs use on every platform. [G C.1]
  */
 #ifndef RC_STDINTERFACE_H
 #define RC_STDINTERFACE_H

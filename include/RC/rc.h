@@ -10,7 +10,10 @@
  *   - angles are in degrees, colours are 0 ... 1, matrices are 16 values column by column;
  *   - names ending in x take 16.16 fixed-point numbers and mean the same as their f twins;
  *   - a call that raises an error changes nothing; the first error sticks until rcGetError reads it;
- *   - IE, IV, IO, OOM stand for RC_INVALID_ENUM, _INVALID_VALUE, _INVALID_OPERATION, _OUT_OF_MEMORY;
+ *   - IE, IV, IO stand for RC_INVALID_ENUM, RC_INVALID_VALUE, RC_INVALID_OPERATION;
+ *   - calls that make names, images, buffers or structures, that draw, trace or read rays raise
+ *     RC_OUT_OF_MEMORY where there is not enough;
+ *   - calls on matrices raise IO while RC_MATRIX_PALETTE_OES is the mode and the palette is disabled;
  *   - without a current context nothing happens (rcGetError then says RC_INVALID_OPERATION).
  * docs/reference/ holds a page for each family; [G n] is the chapter of the Programming Guide.
  */

@@ -2,7 +2,7 @@
  * SPDX-FileCopyrightText: The raycore authors
  *
  * rclights.h: the second generation's lights, RC_LIGHT8 ... RC_LIGHT1023 (= RC_LIGHT0 + i). Contexts have them with
- * RAYCORE_PROFILE=mc; RC_MAX_LIGHTS tells how many there are. [reference 2]
+ * RAYCORE_PROFILE=mc; RC_MAX_LIGHTS tells how many there are. [beyond the guide]
  */
 #ifndef RC_RCLIGHTS_H
 #define RC_RCLIGHTS_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  * SPDX-FileCopyrightText: The raycore authors
  *
- * rctokens.h: every token of the RayCore API with its value. [spec 2; API Specifications]
+ * rctokens.h: every token of the RayCore API with its value. [API Specifications]
  *
  * Values are those of OpenGL ES 1.1 where a namesake exists, with four exceptions:
  * RC_SPOT_CUTOFF and RC_CONSTANT_/LINEAR_/QUADRATIC_ATTENUATION have values of their own.

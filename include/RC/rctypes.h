@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  * SPDX-FileCopyrightText: The raycore authors
  *
- * rctypes.h: the C types of the RayCore API, and how its symbols are exported. [spec 2]
+ * rctypes.h: the C types of the RayCore API, and how its symbols are exported. [API Specifications]
  */
 #ifndef RC_RCTYPES_H
 #define RC_RCTYPES_H

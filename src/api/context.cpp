@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "api/call_trace.h"
 #include "api/tokens.h"
-#include "api/trace.h"
 #include "base/stopwatch.h"
 
 namespace rc::api {
@@ -98,12 +98,22 @@ void Context::makePicture(const std::function<void()> &showIt) noexcept {
     if (mOnItsWay) trace(*mOnItsWay);
     show(showIt);
     mLost = false;
-  } catch (const std::exception &) {  // whoever waits for it is told
+  } catch (const std::exception &) {  // whoever uses what it is made of is told
+    if (mOnItsWay) mOnItsWay->surface->failed();
+  }
+}
+
+std::unique_ptr<Context::Picture> Context::beginPicture() {
+  try {
+    return nextPicture();
+  } catch (...) {
+    if (mSurface) mSurface->failed();
+    throw;
   }
 }
 
 // Nothing where the last picture shows all there is.
-std::unique_ptr<Context::Picture> Context::beginPicture() {
+std::unique_ptr<Context::Picture> Context::nextPicture() {
   if (scene.inStaticScene()) abandonStaticScene();
   if (!mSurface) return nullptr;
   const hal::Target target = mSurface->backBuffer();
@@ -147,13 +157,14 @@ void Context::show(const std::function<void()> &show) {
 
 // It is asked for again.
 void Context::pictureFailed() {
+  if (mSurface) mSurface->failed();
   mTraced = mEnded = kNever;
   scene.abandonFrame();
 }
 
 void Context::complete() {
   const std::lock_guard lock(mObjects->mutex);
-  mSurface &&mEnded != mObjects->changes ? finish() : await();
+  mSurface &&mEnded != mChanges ? finish() : await();
 }
 
 hal::Target Context::picture() {
@@ -168,16 +179,13 @@ void Context::probe(const hal::PixelRect &part,
   mDriver.probe(frame, part, take);
 }
 
-bool Context::pending() const {
-  const uint64_t changes = mObjects->changes;
-  return mSurface && mTraced != changes && mEnded != changes;
-}
+bool Context::pending() const { return mSurface && mTraced != mObjects->changes && mEnded != mChanges; }
 
 void Context::endFrame() {
   const std::lock_guard lock(mObjects->mutex);
   const bool complete = mTraced == mObjects->changes;
   if (scene.endFrame()) touch();
-  if (complete) mEnded = mObjects->changes;
+  if (complete) mEnded = mChanges;
 }
 
 void Context::resetMatrices() {

@@ -29,6 +29,8 @@ class DrawSurface {
   // A picture of all that was drawn so far is about to be traced into it; it was. The latter on any thread.
   virtual void asked() {}
   virtual void traced() {}
+  // There is no picture of it, for want of memory.
+  virtual void failed() {}
 };
 
 // What contexts of one share group have in common.
@@ -78,7 +80,10 @@ class Context {
 
   // The next rcFinish has something to do, here and in the contexts that share objects. Every call that changes what
   // a picture shows says so.
-  void touch() { ++mObjects->changes; }
+  void touch() {
+    ++mObjects->changes;
+    ++mChanges;
+  }
 
   // Where the picture goes from now on; null for none. The first surface sets the viewport. What is the context's own
   // is changed and nothing else: this waits for no frame of the contexts that share objects.
@@ -148,6 +153,7 @@ class Context {
 
   ddk::FrameState frameState() const;
   std::unique_ptr<Picture> beginPicture();
+  std::unique_ptr<Picture> nextPicture();
   void trace(Picture &picture);
   void show(const std::function<void()> &show);
   void makePicture(const std::function<void()> &show) noexcept;
@@ -164,7 +170,8 @@ class Context {
   DrawSurface *mSurface = nullptr;
   bool mHadSurface = false;
   uint64_t mTraced = kNever;  // SharedObjects::changes when the last picture of this surface was traced
-  uint64_t mEnded = kNever;   // and when its frame ended
+  uint64_t mChanges = 0;      // that this context made
+  uint64_t mEnded = kNever;   // mChanges when the last frame ended: what others change asks for no other picture of it
   uint64_t mFrame = 0;
   int mWidth = 0, mHeight = 0;  // of the last picture
   ddk::FrameStats mLastFrame;

@@ -109,6 +109,20 @@ void bind(Context &context, ddk::TextureSlot slot, RCuint name) {
   context.touch();
 }
 
+// The state without a material object is GL's: what was bound gives way to texture 0. Material objects keep theirs.
+void unbind(Context &context, RCuint name) {
+  const std::shared_ptr<ddk::Texture> texture = context.objects().textures.bind(0);
+  for (TextureBinding &binding : context.state.texture.bound) {
+    if (binding.name == name) binding = {0, texture};
+  }
+  for (ddk::TextureUse &use : context.state.material0.textures) {
+    if (use.name != name) continue;
+    use.name = 0;
+    use.texture = texture;
+    context.touch();
+  }
+}
+
 }  // namespace
 
 extern "C" {
@@ -126,9 +140,7 @@ void rcDeleteTextures(RCsizei n, const RCuint *textures) {
     for (RCsizei i = 0; textures && i < n; ++i) {
       if (textures[i] == 0) continue;
       context.objects().textures.remove(textures[i]);
-      for (TextureBinding &binding : context.state.texture.bound) {
-        if (binding.name == textures[i]) binding = {0, context.objects().textures.bind(0)};
-      }
+      unbind(context, textures[i]);
     }
   });
 }

@@ -4,8 +4,8 @@
 // The state of a context as a frame needs it: hints and switches become numbers. [spec 3.1, 3.8]
 #include <algorithm>
 
+#include "api/call_trace.h"
 #include "api/context.h"
-#include "api/trace.h"
 
 namespace rc::api {
 namespace {

@@ -7,8 +7,8 @@
 #include <exception>
 #include <new>
 
+#include "api/call_trace.h"
 #include "api/context.h"
-#include "api/trace.h"
 #include "base/float_mode.h"
 #include "base/memory.h"
 

@@ -5,6 +5,7 @@
 #include <pthread.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <vector>
 
 namespace rc {
@@ -12,7 +13,7 @@ namespace {
 
 using Mutexes = std::vector<std::shared_ptr<std::recursive_mutex>>;
 
-constinit std::atomic<bool> sHaveThreads = false, sLost = false;
+constinit std::atomic<bool> sHaveThreads = false, sGone = false;
 
 // Every lock of the process that still has an owner.
 struct Registry {
@@ -55,8 +56,14 @@ bool tryLockAll(const Mutexes &mutexes) {
   return true;
 }
 
-// With all locks and the registry's own in hand.
-void prepare() {
+// Held from before fork() until after it.
+std::mutex &gate() {
+  static auto &gate = *new std::mutex;
+  return gate;
+}
+
+// Ends with all locks, the gate's and the registry's own in hand.
+void takeAll() {
   Registry &known = registry();
   for (;;) {
     Mutexes mutexes;
@@ -75,7 +82,7 @@ void prepare() {
   }
 }
 
-void inParent() {
+void letGo() {
   registry().mutex.unlock();
   unlockFirst(heldForFork(), heldForFork().size());
   heldForFork().clear();
@@ -86,15 +93,35 @@ void inChild() {
   new (&registry().mutex) std::mutex;
   for (const auto &mutex : heldForFork()) new (mutex.get()) std::recursive_mutex;
   heldForFork().clear();
-  if (sHaveThreads) sLost = true;
-}
-
-void watchForks() {
-  static const int watched = pthread_atfork(prepare, inParent, inChild);
-  static_cast<void>(watched);
+  new (&gate()) std::mutex;
+  if (sHaveThreads) sGone = true;
 }
 
 }  // namespace
+
+constinit std::atomic<bool> ForkMutex::sForking = false;
+constinit thread_local int ForkMutex::tHeld = 0;
+
+void ForkMutex::waitForFork() { const std::lock_guard wait(gate()); }
+
+void ForkMutex::watchForks() {
+  static const int watched = pthread_atfork(
+      [] {
+        gate().lock();
+        sForking = true;
+        takeAll();
+      },
+      [] {
+        sForking = false;
+        letGo();
+        gate().unlock();
+      },
+      [] {
+        sForking = false;
+        inChild();
+      });
+  static_cast<void>(watched);
+}
 
 ForkMutex::ForkMutex() : mMutex(std::make_shared<std::recursive_mutex>()) {
   watchForks();
@@ -111,10 +138,13 @@ ForkMutex::~ForkMutex() {
 }
 
 void noteThreads() {
-  watchForks();
+  ForkMutex::watchForks();
   sHaveThreads = true;
+  // Before the end of what was there before, oneTBB.
+  static const int watched = std::atexit([] { sGone = true; });
+  static_cast<void>(watched);
 }
 
-bool threadsLostInFork() { return sLost.load(std::memory_order_relaxed); }
+bool threadsAreGone() { return sGone.load(std::memory_order_relaxed); }
 
 }  // namespace rc

@@ -119,13 +119,13 @@ struct Workers::Impl {
 // In the child of a fork nothing is known about the arena.
 Workers::Workers(int threads)
     : mImpl(new Impl(threads > 0 ? threads : tbb::info::default_concurrency()), [](Impl *impl) {
-        if (!threadsLostInFork()) delete impl;
+        if (!threadsAreGone()) delete impl;
       }) {}
 
 int Workers::threads() const { return mImpl->count; }
 
 void Workers::forEach(size_t count, const std::function<void(size_t i, int worker)> &body) const {
-  if (threadsLostInFork()) {
+  if (threadsAreGone()) {
     for (size_t i = 0; i < count; ++i) body(i, 0);
     return;
   }
@@ -149,7 +149,7 @@ void Workers::forEach(size_t count, const std::function<void(size_t i, int worke
 }
 
 void Workers::run(const std::function<void()> &body) const {
-  if (threadsLostInFork()) return body();
+  if (threadsAreGone()) return body();
   Handover handover;
   handover.give();
   const Handover::Wait wait(handover);
@@ -166,7 +166,8 @@ struct Background::Impl {
   explicit Impl(std::shared_ptr<Workers::Impl> threads) : workers(std::move(threads)) {}
 
   void perform() {
-    const std::lock_guard lock(mutex);
+    mutex.lockInside();
+    const std::lock_guard lock(mutex, std::adopt_lock);
     const auto mine = std::exchange(job, nullptr);
     if (!mine) return;
     const FloatMode mode;
@@ -188,14 +189,13 @@ Background::~Background() {
     wait();
   } catch (...) {  // told to nobody: there is nobody left
   }
-  if (threadsLostInFork()) static_cast<void>(mImpl.release());
+  if (threadsAreGone()) static_cast<void>(mImpl.release());
 }
 
 // The program may have told oneTBB to use no threads.
 bool Background::possible() const {
   using Control = tbb::global_control;
-  return mImpl->workers->count > 1 && Control::active_value(Control::max_allowed_parallelism) > 1 &&
-         !threadsLostInFork();
+  return !threadsAreGone() && mImpl->workers->count > 1 && Control::active_value(Control::max_allowed_parallelism) > 1;
 }
 
 void Background::begin(std::function<void()> job) {
@@ -214,13 +214,13 @@ void Background::begin(std::function<void()> job) {
 void Background::wait() {
   Impl &impl = *mImpl;
   if (!std::exchange(impl.begun, false)) return;
-  if (threadsLostInFork()) return impl.perform();
+  if (threadsAreGone()) return impl.perform();
   const Handover::Wait wait(impl.handover);
   impl.workers->arena->execute([&] { impl.group.wait(); });
 }
 
 void both(const std::function<void()> &first, const std::function<void()> &second) {
-  if (threadsLostInFork()) {
+  if (threadsAreGone()) {
     first();
     return second();
   }

@@ -126,12 +126,13 @@ Settings readSettings(EnvironmentLookup lookup, std::string &report) {
 }
 
 const Settings &settings() {
-  static const Settings settings = [] {
+  // Never destroyed: programs draw in destructors of globals.
+  static const Settings &settings = *new Settings([] {
     std::string report;
     Settings read = readSettings([](const char *name) -> const char * { return std::getenv(name); }, report);
     std::fputs(report.c_str(), stderr);
     return read;
-  }();
+  }());
   return settings;
 }
 

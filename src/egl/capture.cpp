@@ -3,7 +3,9 @@
 #include "egl/capture.h"
 
 #include <png.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
@@ -68,7 +70,9 @@ std::string captureName(const std::string &pattern, int frame) {
 }
 
 bool writePicture(const std::string &name, const hal::Target &picture) {
-  const std::string unfinished = name + ".part";
+  // Threads and processes may write the same file: the last one stays.
+  static constinit std::atomic<unsigned> count = 0;
+  const std::string unfinished = name + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + ".part";
   File file(std::fopen(unfinished.c_str(), "wb"));
   bool written = false;
   if (file) {

@@ -22,6 +22,17 @@ std::shared_ptr<Surface> texturableSurface(EGLDisplay dpy, EGLSurface handle, EG
   return surface;
 }
 
+// What it shows. A surface that another thread draws to, or may begin to, does not keep still.
+TextureBinding::Copy copyOf(const ThreadState &thread, const std::shared_ptr<Surface> &surface) {
+  const Current &current = thread.current;
+  const uint32_t alpha = current.context->api.state.texture.alpha;
+  if (current.draw == surface) current.context->api.complete();
+  if (current.draw == surface || current.read == surface) return TextureBinding::copyOf(*surface, alpha);
+  const std::lock_guard lock(displayMutex());
+  require(!surface->current, EGL_BAD_ACCESS);
+  return TextureBinding::copyOf(*surface, alpha);
+}
+
 struct ImageAttributes {
   EGLint level = 0;
 };
@@ -81,8 +92,7 @@ EGLBoolean eglBindTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
     const auto surface = texturableSurface(dpy, handle, buffer);
     const auto &context = thread.current.context;
     if (!context) return EGL_TRUE;  // there is no texture to bind to
-    if (thread.current.draw == surface) context->api.complete();
-    require(surface->texture.bind(context->api, *surface), EGL_BAD_ACCESS);
+    require(surface->texture.bind(context->api, *surface, copyOf(thread, surface)), EGL_BAD_ACCESS);
     return EGL_TRUE;
   });
 }

@@ -128,6 +128,7 @@ class X11Platform final : public Platform {
     if (!mConnection->alive() || !X11Connection::holdsColours(*visual)) return nullptr;
     Atom deleteWindow = None;
     const ::Window window = mapWindow(size, deleteWindow);
+    awaitMapped(window);
     XWindowAttributes attributes;
     if (!attributesOf(window, attributes)) return nullptr;
     return std::make_unique<OwnWindow>(mConnection, window, attributes, deleteWindow);
@@ -158,12 +159,22 @@ class X11Platform final : public Platform {
     XSetWMProtocols(display, window, &deleteWindow, 1);
     XSelectInput(display, window, KeyPressMask | StructureNotifyMask);
     XMapWindow(display, window);
-    XEvent event;
-    do {  // what is put before it is mapped would be lost
-      XWindowEvent(display, window, StructureNotifyMask, &event);
-    } while (mConnection->alive() && event.type != MapNotify);
-    if (mConnection->alive()) XSelectInput(display, window, KeyPressMask);
     return window;
+  }
+  // What is put before it is mapped would be lost. A window manager may take its time, or never map it: the library's
+  // other windows do not wait for that.
+  void awaitMapped(::Window window) const {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (!isMapped(window) && mConnection->alive() && std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(kPause);
+    }
+    const ErrorTrap trap(*mConnection);
+    if (mConnection->alive()) XSelectInput(mConnection->display(), window, KeyPressMask);
+  }
+  bool isMapped(::Window window) const {
+    const ErrorTrap trap(*mConnection);
+    XEvent event;
+    return mConnection->alive() && XCheckTypedWindowEvent(mConnection->display(), window, MapNotify, &event);
   }
   bool attributesOf(::Window window, XWindowAttributes &attributes) const {
     const ErrorTrap trap(*mConnection);

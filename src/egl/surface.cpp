@@ -68,6 +68,11 @@ void Surface::traced() {
   if (fences) fences->pass();
 }
 
+// Nobody waits for a picture that will not be.
+void Surface::failed() {
+  if (fences) fences->passAll();
+}
+
 bool Surface::present() {
   if (!mDrawable) return true;
   if (!mGone && mDrawable->present(picture())) return true;

@@ -46,6 +46,7 @@ class Surface final : public api::DrawSurface, public Handled {
   int samples() const override { return std::max(mConfig.samples, 1); }
   void asked() override;
   void traced() override;
+  void failed() override;
 
   // What was traced last, at the size it was traced for.
   hal::Target picture();

@@ -17,8 +17,15 @@ class Surface;
 // but boundTo, which asks the loan alone.
 class TextureBinding {
  public:
-  // The picture becomes the image of the context's current RC_TEXTURE_2D. False if it is in a texture already.
-  bool bind(api::Context &context, Surface &surface);
+  // What the surface shows. Nobody may draw to it meanwhile. alpha: of texels where the surface has none.
+  struct Copy {
+    ddk::Texels texels;
+    int width, height;
+  };
+  static Copy copyOf(Surface &surface, uint32_t alpha);
+
+  // The copy becomes the image of the context's current RC_TEXTURE_2D. False if one is in a texture already.
+  bool bind(api::Context &context, const Surface &surface, Copy copy);
   bool boundTo(const ddk::Texture &texture) const;
   // The texture is empty again, unless it was loaded anew.
   void release();

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "egl/thread.h"
 
+#include <cstddef>
+#include <new>
 #include <utility>
 
 namespace rc::egl {
@@ -58,9 +60,26 @@ void ThreadState::makeCurrent(Current next) {
   api::setCurrentContext(current.context ? &current.context->api : nullptr);
 }
 
+// The destructor of a global may come after the end of the main thread's own state: it gets a new one, which stays.
 ThreadState &threadState() {
-  static thread_local ThreadState state;
-  return state;
+  struct Place {
+    alignas(ThreadState) std::byte bytes[sizeof(ThreadState)];
+    ThreadState *state;
+  };
+  struct End {
+    Place &place;
+    ~End() {
+      place.state->~ThreadState();
+      place.state = nullptr;
+    }
+  };
+  static constinit thread_local Place place{};
+  if (!place.state) {
+    place.state = new (place.bytes) ThreadState;
+    static const thread_local End end{place};
+    static_cast<void>(end);
+  }
+  return *place.state;
 }
 
 }  // namespace rc::egl

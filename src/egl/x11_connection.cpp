@@ -11,21 +11,23 @@
 namespace rc::egl {
 namespace {
 
-// The state of the one trap that lives: Xlib has a single error handler for the process.
+// The state of the one trap that lives: Xlib has a single handler of lost servers for the process.
 std::mutex sTrapMutex;
 ::Display *sTrapped = nullptr;
-bool sFailed = false;
-XErrorHandler sOuter = nullptr;
-XIOErrorHandler sOuterIo = nullptr;
-
-int noteError(::Display *display, XErrorEvent *event) {
-  if (display != sTrapped) return sOuter ? sOuter(display, event) : 0;
-  sFailed = true;
-  return 0;
-}
+XIOErrorHandler sOuter = nullptr;
 
 // Xlib's own handler would end the process before it comes to X11Connection::serverGone.
-int noteLostServer(::Display *display) { return display != sTrapped && sOuterIo ? sOuterIo(display) : 0; }
+int noteLostServer(::Display *display) { return display != sTrapped && sOuter ? sOuter(display) : 0; }
+
+// A program that sets its own handler meanwhile is given ours as the one before: it may come back at any time.
+void catchLostServer() {
+  const XIOErrorHandler before = XSetIOErrorHandler(noteLostServer);
+  if (before != noteLostServer) sOuter = before;
+}
+void releaseLostServer() {
+  const XIOErrorHandler mine = XSetIOErrorHandler(sOuter);
+  if (mine != noteLostServer) XSetIOErrorHandler(mine);  // the program has set it since
+}
 
 }  // namespace
 
@@ -40,12 +42,16 @@ std::shared_ptr<X11Connection> X11Connection::open(const char *name, int screen)
   return nullptr;
 }
 
-X11Connection::X11Connection(::Display *display, int screen) : mDisplay(display), mScreen(screen) {
+X11Connection::X11Connection(::Display *display, int screen) : mDisplay(display), mScreen(screen), mErrors(display) {
   XSetIOErrorExitHandler(display, serverGone, this);
 }
 
 X11Connection::~X11Connection() {
-  if (mAlive) XCloseDisplay(mDisplay);
+  const ErrorTrap trap(*this);
+  static_cast<void>(trap.failed());  // a server that has gone is found out here
+  if (!alive()) return;
+  XCloseDisplay(mDisplay);
+  mAlive = false;
 }
 
 // Called instead of exit, where the connection is found broken.
@@ -88,22 +94,20 @@ std::optional<ColourMasks> X11Connection::masksOf(int depth) const {
 ErrorTrap::ErrorTrap(const X11Connection &connection) : mConnection(connection) {
   sTrapMutex.lock();
   sTrapped = connection.display();
-  sOuterIo = XSetIOErrorHandler(noteLostServer);
-  sOuter = XSetErrorHandler(noteError);
-  sFailed = false;
+  catchLostServer();
+  connection.errors().forget();
 }
 
 ErrorTrap::~ErrorTrap() {
   sync();
-  XSetErrorHandler(sOuter);
-  XSetIOErrorHandler(sOuterIo);
+  releaseLostServer();
   sTrapped = nullptr;
   sTrapMutex.unlock();
 }
 
 bool ErrorTrap::failed() const {
   sync();
-  return sFailed || !mConnection.alive();
+  return mConnection.errors().noted() || !mConnection.alive();
 }
 
 void ErrorTrap::sync() const {

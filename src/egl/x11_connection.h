@@ -6,12 +6,14 @@
 #pragma once
 
 #include <X11/Xlib.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <memory>
 #include <optional>
 
 #include "egl/pixel_format.h"
+#include "egl/x11_errors.h"
 
 namespace rc::egl {
 
@@ -26,8 +28,11 @@ class X11Connection {
   ::Display *display() const { return mDisplay; }
   int screen() const { return mScreen; }
   ::Window root() const { return RootWindow(mDisplay, mScreen); }
-  // False once the server has gone; nothing can be asked any more.
-  bool alive() const { return mAlive; }
+  // False once the server has gone; nothing can be asked any more. So it is in the child of a fork: the connection is
+  // its parent's.
+  bool alive() const { return mAlive && mProcess == getpid(); }
+  // Of requests made under an ErrorTrap.
+  X11Errors &errors() const { return mErrors; }
   // Whether pixels of a visual are colours, not places in a palette.
   static bool holdsColours(const ::Visual &visual) {
     return visual.c_class == TrueColor || visual.c_class == DirectColor;
@@ -43,12 +48,15 @@ class X11Connection {
 
   ::Display *mDisplay;
   int mScreen;
+  pid_t mProcess = getpid();
   std::atomic<bool> mAlive = true;
+  mutable X11Errors mErrors;
 };
 
-// While it lives, X errors of one connection, and its loss, are noted instead of ending the program. Those of other
-// connections go to the program's handlers. One at a time in the process; all that asks the server is done under one,
-// after a look whether the connection is alive: the thread that found it broken keeps Xlib's lock on it for ever.
+// While it lives, X errors of one connection, and its loss, are noted instead of ending the program. What happens to
+// other connections goes to the program's handlers. One at a time in the process; all that asks the server is done
+// under one, after a look whether the connection is alive: the thread that found it broken keeps Xlib's lock on it for
+// ever.
 class ErrorTrap {
  public:
   explicit ErrorTrap(const X11Connection &connection);

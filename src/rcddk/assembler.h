@@ -11,10 +11,8 @@
 
 namespace rc::ddk {
 
-// Where triangles go. There is room for what may come: kMostOfClipped for each that is clipped, else one.
+// Where triangles go. There is room for what may come: one for each, and one more for each clip plane.
 struct Assembled {
-  static constexpr size_t kMostOfClipped = 7;
-
   hal::HotTriangle *triangles;
   hal::TriangleAttributes *attributes;
   size_t count = 0;
@@ -82,20 +80,18 @@ class Assembler {
     for (size_t i = 0; i < count; ++i) fetch(mWaiting[i / 3].vertices[i % 3], mWaiting[i / 3].shading[i % 3], i);
     if (mCall.palette.empty()) {
       transformPositions(mCall.worldFromObject, count, mVertices);
-      if (hasUnitNormals()) transformNormals(mNormalMatrix, count, mVertices);
+      if (mCall.normals.data) transformNormals(mNormalMatrix, count, mVertices);
     }
     for (size_t i = 0; i < mCount; ++i) addClipped(mWaiting[i], 3 * i);
     mCount = 0;
   }
 
-  // Clipping and the palette need normals as long as they are.
-  bool hasUnitNormals() const { return mCall.normals.data && mCall.clipPlanes.empty() && mCall.palette.empty(); }
-
   void fetch(size_t element, size_t shading, size_t i) {
-    const Vec3 position = mCall.palette.empty() ? loadVec3(mCall.vertices, element) : skinnedPosition(element);
+    const bool skinned = !mCall.palette.empty();
+    const Vec3 position = skinned ? skinnedPosition(element) : loadVec3(mCall.vertices, element);
     for (int axis = 0; axis < 3; ++axis) mVertices.position[axis][i] = position[axis];
     if (!mCall.normals.data) return;
-    const Vec3 normal = hasUnitNormals() ? loadVec3(mCall.normals, shading) : worldNormal(shading);
+    const Vec3 normal = skinned ? skinnedNormal(shading) : loadVec3(mCall.normals, shading);
     for (int axis = 0; axis < 3; ++axis) mVertices.normal[axis][i] = normal[axis];
   }
 
@@ -104,6 +100,7 @@ class Assembler {
     for (size_t i = 0; i < 3; ++i) corners[i] = corner(elements, i, first + i);
     const bool finite = isFinite(corners[0].position + corners[1].position + corners[2].position);
     if (mCall.clipPlanes.empty() || !finite) return addTriangle(corners[0], corners[1], corners[2]);
+    if (mCall.normals.data) completeNormals(corners);
     const std::span<const Corner> left = mClipper.clip(corners, mCall.clipPlanes);
     if (left.empty()) ++mOut.skipped.clipped;
     for (size_t i = 2; i < left.size(); ++i) addTriangle(left[0], left[i - 1], left[i]);
@@ -129,7 +126,10 @@ class Assembler {
     const Vec3 edges = glm::cross(b.position - a.position, c.position - a.position);
     if (!isFinite(a.position + b.position + c.position) || !isFinite(edges)) return void(++mOut.skipped.notFinite);
     // Without area as far as float can tell: the hit point would have no normal.
-    if (!(glm::length(edges) > 0)) return void(++mOut.skipped.degenerate);
+    const float doubleArea = lengthOf(edges);
+    if (!(doubleArea > 0)) return void(++mOut.skipped.degenerate);
+    if (!std::isfinite(doubleArea)) return void(++mOut.skipped.notFinite);
+    const Vec3 front = frontOf(edges / doubleArea);
 
     hal::TriangleAttributes attributes{};
     for (size_t i = 0; i < 3; ++i) {
@@ -138,8 +138,8 @@ class Assembler {
     }
     if (mCall.colors.data) triangle.flags |= hal::kHasColors;
     if (mCall.flags & hal::kTangentFrame) {
-      if (setTangentFrame(triangle, edges, attributes)) triangle.flags |= hal::kTangentFrame;
-    } else if (mCall.normals.data && setNormals(corners, edges, attributes)) {
+      if (setTangentFrame(triangle, front, attributes)) triangle.flags |= hal::kTangentFrame;
+    } else if (mCall.normals.data && setNormals(corners, front, attributes)) {
       triangle.flags |= hal::kHasNormals;
     }
     hal::setPlane(triangle, attributes);
@@ -154,9 +154,9 @@ class Assembler {
     return Vec3(blend(mCall, element) * world);
   }
 
-  Vec3 worldNormal(size_t element) const {
+  Vec3 skinnedNormal(size_t element) const {
     const Vec3 world = mNormalMatrix * loadVec3(mCall.normals, element);
-    return mCall.palette.empty() ? world : normalMatrix(blend(mCall, element)) * world;
+    return normalizedOr(normalMatrix(blend(mCall, element)) * world, Vec3(0));
   }
 
   Vec2 transformed(const Vec4 &texCoord) const {
@@ -165,21 +165,33 @@ class Assembler {
     return Vec2(coordinate) / q;
   }
 
+  // Of the side that rcFrontFace calls the front.
+  Vec3 frontOf(const Vec3 &flatNormal) const { return mCall.flags & hal::kClockwiseFront ? -flatNormal : flatNormal; }
+
   // False where no corner has a usable normal; a corner without one gets the flat normal.
-  bool setNormals(const Corner *const (&corners)[3], const Vec3 &edges, hal::TriangleAttributes &attributes) const {
-    const Vec3 none(0);
+  static bool setNormals(const Corner *const (&corners)[3], const Vec3 &front, hal::TriangleAttributes &attributes) {
     bool usable = false;
     for (size_t i = 0; i < 3; ++i) {
-      const Vec3 unit = hasUnitNormals() ? corners[i]->normal : normalizedOr(corners[i]->normal, none);
-      attributes.normal[i] = unit != none ? unit : glm::normalize(edges);
-      usable |= unit != none;
+      const bool has = corners[i]->normal != Vec3(0);
+      attributes.normal[i] = has ? corners[i]->normal : front;
+      usable |= has;
     }
     return usable;
   }
 
-  // Directions in which s and t grow, and the flat normal; false where the texture coordinates span nothing.
+  // Before a triangle is cut: each corner has its normal, so that the cut has what lies between them, at the length
+  // that it has there, and what is left is shaded as it was.
+  void completeNormals(Corner (&corners)[3]) const {
+    const Vec3 edges = glm::cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position);
+    const Corner *const all[3] = {&corners[0], &corners[1], &corners[2]};
+    hal::TriangleAttributes attributes;
+    if (!setNormals(all, frontOf(directionOf(edges, lengthOf(edges), Vec3(0))), attributes)) return;
+    for (size_t i = 0; i < 3; ++i) corners[i].normal = attributes.normal[i];
+  }
+
+  // Directions in which s and t grow, and the front's normal; false where the texture coordinates span nothing.
   // [reference 4.5]
-  static bool setTangentFrame(const hal::HotTriangle &triangle, const Vec3 &edges,
+  static bool setTangentFrame(const hal::HotTriangle &triangle, const Vec3 &front,
                               hal::TriangleAttributes &attributes) {
     const Vec3 e1 = triangle.v1 - triangle.v0, e2 = triangle.v2 - triangle.v0;
     const Vec2 d1 = attributes.uv[1] - attributes.uv[0], d2 = attributes.uv[2] - attributes.uv[0];
@@ -192,7 +204,7 @@ class Assembler {
     if (tangent == none || bitangent == none) return false;
     attributes.normal[0] = tangent;
     attributes.normal[1] = bitangent;
-    attributes.normal[2] = glm::normalize(edges);
+    attributes.normal[2] = front;
     return true;
   }
 

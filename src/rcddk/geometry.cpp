@@ -80,14 +80,21 @@ void closeGaps(GeometrySet &set, std::span<const Chunk> chunks, size_t count) {
   resize(set, count);
 }
 
+// Of a set: nodes have 30 bits for the names of their children.
+constexpr size_t kMostTriangles = size_t{1} << 29;
+
+// Triangles that may come of a primitive: each plane that cuts adds one.
+size_t mostOf(const DrawCall &call) { return trianglesOf(call.primitive) * (1 + call.clipPlanes.size()); }
+
 // The primitives begin ... end - 1 of a draw call.
 void appendPart(const DrawCall &call, size_t begin, size_t end, GeometrySet &set, const Workers &workers) {
-  const size_t most = trianglesOf(call.primitive) * (call.clipPlanes.empty() ? 1 : Assembled::kMostOfClipped);
+  const size_t most = mostOf(call);
   const size_t before = set.triangles.size();
   std::vector<Chunk> chunks;
   for (size_t i = begin; i < end; i += Chunk::kPrimitives) {
     chunks.push_back({i, std::min(i + Chunk::kPrimitives, end), before + (i - begin) * most});
   }
+  if (before + (end - begin) * most > kMostTriangles) throw std::bad_alloc();
   resize(set, before + (end - begin) * most);
   if (chunks.size() == 1) {
     assemble(call, set, chunks[0]);
@@ -101,12 +108,12 @@ void appendPart(const DrawCall &call, size_t begin, size_t end, GeometrySet &set
 
 void appendTriangles(const DrawCall &call, GeometrySet &set, const Workers &workers) {
   // A part at a time: indices may name vertices that are not there, and need no room.
-  constexpr size_t kPart = 256 * Chunk::kPrimitives;
+  const size_t part = 256 * Chunk::kPrimitives / mostOf(call);
   const size_t before = set.triangles.size(), primitives = primitiveCount(call.primitive, call.indices.count);
   const SkippedTriangles skipped = set.skipped;
   try {
-    for (size_t begin = 0; begin < primitives; begin += kPart) {
-      appendPart(call, begin, std::min(begin + kPart, primitives), set, workers);
+    for (size_t begin = 0; begin < primitives; begin += part) {
+      appendPart(call, begin, std::min(begin + part, primitives), set, workers);
     }
   } catch (...) {  // out of memory: as if nothing had been drawn
     resize(set, before);

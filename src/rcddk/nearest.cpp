@@ -9,32 +9,38 @@ namespace {
 
 using namespace rc::hal;
 
-float squared(const Vec3 &v) { return glm::dot(v, v); }
+// In double: squares of distances to triangles that are 1e10 large, or as far away, are beyond float.
+using Vec3d = glm::dvec3;
 
-float toBox(const Vec3 &lower, const Vec3 &upper, const Vec3 &p) { return squared(p - glm::clamp(p, lower, upper)); }
+double squared(const Vec3d &v) { return glm::dot(v, v); }
 
-float toSegment(const Vec3 &a, const Vec3 &b, const Vec3 &p) {
-  const Vec3 along = b - a;
-  const float length = squared(along);
-  const float share = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0f, 1.0f) : 0;
+double toBox(const Vec3 &lower, const Vec3 &upper, const Vec3 &p) {
+  return squared(Vec3d(p) - Vec3d(glm::clamp(p, lower, upper)));
+}
+
+double toSegment(const Vec3d &a, const Vec3d &b, const Vec3d &p) {
+  const Vec3d along = b - a;
+  const double length = squared(along);
+  const double share = length > 0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0;
   return squared(p - (a + share * along));
 }
 
-float toTriangle(const HotTriangle &t, const Vec3 &p) {
-  const Vec3 normal = glm::cross(t.v1 - t.v0, t.v2 - t.v0);
-  const auto isInside = [&](const Vec3 &a, const Vec3 &b) { return glm::dot(glm::cross(b - a, p - a), normal) >= 0; };
-  if (squared(normal) > 0 && isInside(t.v0, t.v1) && isInside(t.v1, t.v2) && isInside(t.v2, t.v0)) {
-    const float height = glm::dot(p - t.v0, normal);
+double toTriangle(const HotTriangle &t, const Vec3d &p) {
+  const Vec3d a(t.v0), b(t.v1), c(t.v2), normal = glm::cross(b - a, c - a);
+  const auto isInside = [&](const Vec3d &from, const Vec3d &to) {
+    return glm::dot(glm::cross(to - from, p - from), normal) >= 0;
+  };
+  if (squared(normal) > 0 && isInside(a, b) && isInside(b, c) && isInside(c, a)) {
+    const double height = glm::dot(p - a, normal);
     return height * height / squared(normal);
   }
-  return std::min({toSegment(t.v0, t.v1, p), toSegment(t.v1, t.v2, p), toSegment(t.v2, t.v0, p)});
+  return std::min({toSegment(a, b, p), toSegment(b, c, p), toSegment(c, a, p)});
 }
 
-// Squared.
 float throughBvh(const GeometryView &geometry, const Vec3 &p) {
   float best = kInfinity;
   const auto enter = [&](const Vec3 &lower, const Vec3 &upper) -> std::optional<float> {
-    const float distance = toBox(lower, upper, p);
+    const auto distance = static_cast<float>(std::sqrt(toBox(lower, upper, p)));
     return distance < best ? std::optional(distance) : std::nullopt;
   };
   BvhEntry stack[kMaxBvhStack];
@@ -48,7 +54,7 @@ float throughBvh(const GeometryView &geometry, const Vec3 &p) {
     }
     const TriangleBlock4 &block = geometry.accel.blocks[at.child & ~BvhNode8::kLeaf];
     for (uint32_t i = 0; i < block.count(); ++i) {
-      best = std::min(best, toTriangle(geometry.triangles[block.primitive[i]], p));
+      best = std::min(best, static_cast<float>(std::sqrt(toTriangle(geometry.triangles[block.primitive[i]], p))));
     }
   }
   return best;
@@ -59,8 +65,9 @@ float throughBvh(const GeometryView &geometry, const Vec3 &p) {
 float nearestSurface(const GeometryView &geometry, const Vec3 &point) {
   if (geometry.triangles.empty()) return kInfinity;
   const AccelView &accel = geometry.accel;
-  if (accel.kind == AccelKind::Bvh) return std::sqrt(throughBvh(geometry, point));
-  return accel.kind == AccelKind::KdTree ? std::sqrt(toBox(accel.bounds.lower, accel.bounds.upper, point)) : 0;
+  if (accel.kind == AccelKind::Bvh) return throughBvh(geometry, point);
+  if (accel.kind != AccelKind::KdTree) return 0;
+  return static_cast<float>(std::sqrt(toBox(accel.bounds.lower, accel.bounds.upper, point)));
 }
 
 }  // namespace rc::ddk

@@ -11,8 +11,6 @@
 namespace rc::ddk {
 namespace {
 
-constexpr int kMostPassed = 255;  // as rays that go straight on
-
 // hal::nextHit for one set of triangles, which counts.
 struct CountingSearch {
   const hal::GeometryView &geometry;
@@ -41,7 +39,7 @@ struct CountingSearch {
 };
 
 hal::Hit nextCounted(const hal::SceneView &scene, const hal::Ray &ray, const hal::HitOrder &after, RayAnswer &answer) {
-  const hal::TraversalRay traversal(ray);
+  const hal::TraversalRay traversal(ray, after);
   const hal::ShearedRay sheared(ray);
   hal::Hit best;
   uint32_t base = 0;
@@ -79,16 +77,15 @@ RayAnswer probePixel(const hal::SceneView &scene, int column, int row) {
   RayAnswer answer;
   const hal::Ray ray = hal::primaryRay(scene.camera, column, row, {}).ray;
   hal::HitOrder after;
-  for (int passed = 0; passed <= kMostPassed; ++passed) {
+  for (;;) {
     const hal::Hit hit = nextCounted(scene, ray, after, answer);
-    if (!hit.found()) break;
+    if (!hit.found()) return answer;
     after = {hit.t, hit.primitive};
     if (!isThere(scene, ray, hit)) continue;
     answer.distance = hit.t;
     answer.material = materialNameOf(scene, hit.primitive);
-    break;
+    return answer;
   }
-  return answer;
 }
 
 }  // namespace rc::ddk

@@ -35,6 +35,8 @@ void Scene::beginStatic() {
 void Scene::endStatic(AccelKind kind, const Workers &workers) {
   const Stopwatch building;
   try {
+    mStatics.triangles.shrink_to_fit();  // it stays as it is
+    mStatics.attributes.shrink_to_fit();
     mStaticAccel = buildAccel(kind, mStatics.triangles, workers);
   } catch (...) {  // out of memory: better no static scene than one without a structure
     abandonStatic();

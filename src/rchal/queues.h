@@ -30,6 +30,7 @@ struct RayItem {
   Ray ray;
   HitOrder after;          // hits up to here are done: they were not, or not wholly, there
   bool afterSeen = false;  // something of the last one was
+  uint32_t layers = 0;     // surfaces on the way that were there in part
   Rgb weight{1};           // share of the pixel's colour
   float coneWidth = 0;     // diameter of the footprint at the origin, world units
   float coneSpread = 0;    // growth of it for each unit of distance; below 0 it narrows to a focus
@@ -42,7 +43,7 @@ struct RayItem {
 struct RayQueue {
   Vec3Column origin, direction, weight;
   Column<float> afterT;
-  Column<uint32_t> afterPrimitive, afterSeen;
+  Column<uint32_t> afterPrimitive, afterSeen, layers;
   Column<float> coneWidth, coneSpread, travelled, tolerance;
   Column<uint32_t> pixel;
 
@@ -54,6 +55,7 @@ struct RayQueue {
     afterT.push_back(item.after.t);
     afterPrimitive.push_back(item.after.primitive);
     afterSeen.push_back(item.afterSeen);
+    layers.push_back(item.layers);
     coneWidth.push_back(item.coneWidth);
     coneSpread.push_back(item.coneSpread);
     travelled.push_back(item.travelled);
@@ -64,6 +66,7 @@ struct RayQueue {
     return {.ray = ray(i),
             .after = after(i),
             .afterSeen = afterSeen[i] != 0,
+            .layers = layers[i],
             .weight = weight[i],
             .coneWidth = coneWidth[i],
             .coneSpread = coneSpread[i],
@@ -97,7 +100,9 @@ struct RayQueue {
          {&RayQueue::afterT, &RayQueue::coneWidth, &RayQueue::coneSpread, &RayQueue::travelled, &RayQueue::tolerance}) {
       visit(queues.*column...);
     }
-    for (auto column : {&RayQueue::afterPrimitive, &RayQueue::afterSeen, &RayQueue::pixel}) visit(queues.*column...);
+    for (auto column : {&RayQueue::afterPrimitive, &RayQueue::afterSeen, &RayQueue::layers, &RayQueue::pixel}) {
+      visit(queues.*column...);
+    }
   }
 };
 

@@ -48,7 +48,7 @@ static_assert(sizeof(HotTriangle) == 48);
 struct alignas(64) TriangleAttributes {
   Vec3 flatNormal;   // 12  unit length, on the counter-clockwise side
   float doubleArea;  //  4
-  Vec3 normal[3];    // 36  unit length, valid with kHasNormals
+  Vec3 normal[3];    // 36  unit length (between such where a clip plane cut), valid with kHasNormals
   Vec2 uv[3];        // 24
   Rgb color[3];      // 36  valid with kHasColors
 };
@@ -64,7 +64,7 @@ inline constexpr float kMostOfEdge = 1.0f / 64;  // of what is thinner nobody se
 inline void setPlane(HotTriangle &triangle, TriangleAttributes &attributes) {
   const Vec3 a = triangle.v1 - triangle.v0, b = triangle.v2 - triangle.v0, c = triangle.v2 - triangle.v1;
   const Vec3 edges = glm::cross(a, b);
-  attributes.doubleArea = glm::length(edges);
+  attributes.doubleArea = lengthOf(edges);
   attributes.flatNormal = edges / attributes.doubleArea;
   const float longest = std::max(glm::dot(a, a), std::max(glm::dot(b, b), glm::dot(c, c)));
   const float slenderness = longest / attributes.doubleArea;

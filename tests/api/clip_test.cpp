@@ -142,6 +142,31 @@ TEST_F(ClipTest, ColoursGoOnAcrossTheCut) {
   for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(pixel(40, 20)[i], whole[i], 1);
 }
 
+// Normals of any length: what is left of a triangle is lit as it was.
+TEST_F(ClipTest, NormalsGoOnAcrossTheCut) {
+  paintDiffuse(1, 1, 1);
+  lightFrom(0, 0, 1, 0, 0.9f);
+  const float normals[] = {-0.9f, 0, 0.5f, 9, 0, 5, 9, 0, 5, 0, 0, 0};
+  const auto draw = [&] {
+    rcEnableClientState(RC_NORMAL_ARRAY);
+    rcNormalPointer(RC_FLOAT, 0, normals);
+    drawQuad(kSquare);
+    rcDisableClientState(RC_NORMAL_ARRAY);
+    trace();
+  };
+  draw();
+  const Colour below = pixel(40, 15), above = pixel(40, 35);
+  EXPECT_NE(above, below);
+  plane(0, 1, 0, 0, -25.25f);
+  plane(1, -1, -0.3f, 0, 54);
+  draw();
+  EXPECT_FALSE(covered(25, 20));
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(pixel(40, 15)[i], below[i], 1);
+    EXPECT_NEAR(pixel(40, 35)[i], above[i], 1);
+  }
+}
+
 TEST_F(ClipTest, TextureCoordinatesGoOnAcrossTheCut) {
   rcEnable(RC_TEXTURE_2D);
   rcEnable(RC_USE_TEXTURE_ONLY);

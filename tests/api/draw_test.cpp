@@ -132,6 +132,21 @@ TEST_F(DrawTest, BadTrianglesAreSkippedAndCounted) {
   EXPECT_EQ(integer(RC_FRAME_TRIANGLES_SKIPPED), 0);
 }
 
+TEST_F(DrawTest, TrianglesOfAnySizeAreLit) {
+  for (const float size : {4e9f, 1e9f, 100.0f, 1e-10f}) {
+    pixelCamera();
+    paintDiffuse(1, 1, 1);
+    lightFrom(0, 0, 1, 0, 0.5f);
+    rcFrustum(-1, 1, -1, 1, 1, 100);
+    rcuLookAt(0, 0, size, 0, 0, 0, 0, 1, 0);
+    drawTriangles({-4 * size, -4 * size, 0, 4 * size, -4 * size, 0, 0, 4 * size, 0});
+    rcFinish();
+    EXPECT_EQ(integer(RC_FRAME_TRIANGLES_SKIPPED), 0) << size;
+    EXPECT_EQ(pixel(32, 24), (Colour{128, 128, 128})) << size;
+    context->endFrame();
+  }
+}
+
 TEST_F(DrawTest, BadTrianglesOfTheStaticSceneAreCountedToo) {
   rcStaticSceneBegin();
   drawTriangles({kNan, 0, 0, 1, 0, 0, 0, 1, 0});

@@ -210,6 +210,31 @@ TEST_F(FogTest, TheBackgroundKeepsItsColour) {
   EXPECT_EQ(pixel(32, 24), (Colour{64, 32, 128}));
 }
 
+TEST_F(FogTest, WhatIsNotThereHasNone) {
+  redInBlue();
+  linear(0, 128);
+  rcClearColor(0, 1, 0, 0);
+  rcEnable(RC_CULL_FACE);
+  drawClockwiseQuad({0, 0, 16, 48});
+  rcDisable(RC_CULL_FACE);
+  rcEnable(RC_TEXTURE_2D);
+  rcEnable(RC_USE_TEXTURE_ONLY);
+  rcTexParameteri(RC_TEXTURE_2D, RC_TEXTURE_OPAQUE_ALPHA, 200);
+  rcEnable(RC_ALPHA_TEST);
+  rcAlphaFunc(RC_LESS, 0.5f);
+  loadRgba(200, 0, 0, 100);
+  drawQuad({16, 0, 32, 48});  // fails the test
+  rcDisable(RC_ALPHA_TEST);
+  drawQuad({40, 0, 56, 48});  // half of it is there
+  trace();
+  for (int x : {8, 24, 36}) EXPECT_EQ(pixel(x, 24), (Colour{0, 255, 0})) << x;
+  const Colour half = pixel(48, 24);
+  const double left = 1 - std::hypot(64, 16) / 128;
+  EXPECT_NEAR(half[0], 100 * left, 1);
+  EXPECT_NEAR(half[1], 128, 1) << "the background has no fog";
+  EXPECT_NEAR(half[2], 128 * (1 - left), 1);
+}
+
 TEST_F(FogTest, OffThereIsNone) {
   redInBlue();
   rcDisable(RC_FOG);

@@ -125,6 +125,16 @@ TEST_F(NormalMapTest, BothSidesAreTilted) {
   expectShown(cosine(15));
 }
 
+// A model that is drawn mirrored, with the front on the other side as its triangles are, shows the mirrored picture.
+TEST_F(NormalMapTest, MirroredModelsAreMirrored) {
+  tilted(30);
+  lightAt(-45);
+  rcScalef(-1, 1, 1);
+  rcFrontFace(RC_CW);
+  draw(kUpright);  // s grows to the left
+  expectShown(cosine(15));
+}
+
 TEST_F(NormalMapTest, CoordinatesThatSpanNothingLeaveTheFlatNormal) {
   tilted(30);
   lightAt(45);

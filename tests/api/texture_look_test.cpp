@@ -169,6 +169,7 @@ TEST_F(TextureTest, WrapIsTheMaterialsIfSetWhileItWasBound) {
 
 TEST_F(TextureTest, AMaterialKeepsADeletedTexture) {
   textureOnly();
+  rcBindMaterial(1);
   const RCuint name = 3;
   rcBindTexture(RC_TEXTURE_2D, name);
   loadSolid(kRed);
@@ -176,6 +177,46 @@ TEST_F(TextureTest, AMaterialKeepsADeletedTexture) {
   EXPECT_EQ(integer(RC_TEXTURE_BINDING_2D), 0);
   loadSolid(kBlue);  // goes to texture 0
   EXPECT_EQ(shown(), kRed);
+}
+
+TEST_F(TextureTest, WithoutAMaterialADeletedTextureGivesWayToTexture0) {
+  textureOnly();
+  const RCuint names[] = {3, 4};
+  rcBindTexture(RC_TEXTURE_2D, 0);
+  loadSolid(kBlue);
+  rcBindTexture(RC_TEXTURE_2D, names[0]);
+  loadSolid(kRed);
+  rcDeleteTextures(1, &names[1]);
+  EXPECT_EQ(shown(), kRed);
+  rcDeleteTextures(1, &names[0]);
+  EXPECT_EQ(shown(), kBlue);
+}
+
+// Pixels are sampled at their corners, where whole numbers make triangles meet.
+TEST_F(TextureTest, WhereManyTrianglesMeetASurfaceCountsOnce) {
+  std::vector<float> fan;
+  const int around[][2] = {{8, 0}, {8, 8}, {0, 8}, {-8, 8}, {-8, 0}, {-8, -8}, {0, -8}, {8, -8}, {8, 0}};
+  for (size_t i = 0; i < 8; ++i) {
+    for (const auto &[x, y] : {std::pair{0, 0}, {around[i][0], around[i][1]}, {around[i + 1][0], around[i + 1][1]}}) {
+      fan.insert(fan.end(), {32.0f + float(x), 24.0f + float(y), 0});
+    }
+  }
+  for (const char *device : {"cpu", "ref"}) {
+    for (AccelKind accel : {AccelKind::Bvh, AccelKind::KdTree, AccelKind::Exhaustive}) {
+      Settings settings;
+      settings.device = device;
+      settings.accel = accel;
+      useSettings(settings);
+      textureOnly();
+      rcTexParameteri(RC_TEXTURE_2D, RC_TEXTURE_OPAQUE_ALPHA, 200);
+      loadRgba(200, 200, 200, 100);
+      drawTriangles(fan);
+      trace();
+      for (const auto &[x, y] : {std::pair{32, 24}, {35, 24}, {32, 20}, {29, 27}, {34, 25}}) {
+        EXPECT_EQ(pixel(x, y), (Colour{100, 100, 100})) << device << ' ' << int(accel) << ' ' << x << ' ' << y;
+      }
+    }
+  }
 }
 
 TEST_F(TextureTest, ReloadingIsSeenByWhatWasDrawnInTheStaticScene) {

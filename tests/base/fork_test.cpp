@@ -40,8 +40,8 @@ TEST(Fork, WorkersOfTheParentWorkInTheChild) {
     return done == 1002;
   };
   ASSERT_TRUE(work());
-  EXPECT_FALSE(threadsLostInFork());
-  EXPECT_TRUE(succeedsInChild([&] { return threadsLostInFork() && work(); }));
+  EXPECT_FALSE(threadsAreGone());
+  EXPECT_TRUE(succeedsInChild([&] { return threadsAreGone() && work(); }));
   EXPECT_TRUE(work());
 }
 

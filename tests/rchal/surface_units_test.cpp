@@ -75,55 +75,39 @@ TEST(Fog, AStepHasNoDivision) {
   EXPECT_EQ(fogTransmission(step, 5.1f), 0);
 }
 
-// Light that is added and light that is left make one, however many pieces the way has.
-TEST(Fog, PiecesOfTheWayMakeTheWhole) {
+// However many mirrors the way has.
+TEST(Fog, LegsOfTheWayMakeTheWhole) {
   for (const FogMode mode : {FogMode::Linear, FogMode::Exp, FogMode::Exp2}) {
-    const Fog fog{.mode = mode, .density = 0.02f, .start = 3, .end = 80, .color = Rgb(1)};
-    RayItem item;
-    item.weight = Rgb(1);
-    Rgb added(0);
-    bool fromEye = true;
-    for (float piece : {1.0f, 10.0f, 25.0f, 4.0f}) {
-      added += passFog(fog, item, piece, fromEye);
-      item.travelled += piece;
-      fromEye = false;
+    const Fog fog{.mode = mode, .density = 0.02f, .start = 3, .end = 80};
+    float travelled = 0, left = 1;
+    for (float leg : {1.0f, 10.0f, 25.0f, 4.0f}) {
+      left *= fogLeft(fog, travelled, leg, travelled == 0);
+      travelled += leg;
     }
-    EXPECT_NEAR(item.weight.x, fogTransmission(fog, 40), 1e-6);
-    EXPECT_NEAR(added.x + item.weight.x, 1, 1e-6);
+    EXPECT_NEAR(left, fogTransmission(fog, 40), 1e-6);
   }
 }
 
-// At the eye there is fog already, or it thins out: the first piece is as GL's formula has it.
-TEST(Fog, TheFirstPieceIsTheWholeWay) {
+// At the eye there is fog already, or it thins out: the first leg is as GL's formula has it.
+TEST(Fog, TheFirstLegIsTheWholeWay) {
   for (const auto &[start, end] : {std::pair{-40.0f, 40.0f}, {60, 0}}) {
-    const Fog fog{.mode = FogMode::Linear, .start = start, .end = end, .color = Rgb(1)};
-    RayItem item;
-    item.weight = Rgb(1);
-    const float added = passFog(fog, item, 20, true).x;
-    EXPECT_FLOAT_EQ(item.weight.x, fogTransmission(fog, 20));
-    EXPECT_FLOAT_EQ(added + item.weight.x, 1);
-    item.after = {20, 0};  // the same ray goes on
-    EXPECT_GE(passFog(fog, item, 40, true).x, 0) << "fog takes no light away";
-    EXPECT_LE(item.weight.x, fogTransmission(fog, 20));
+    const Fog fog{.mode = FogMode::Linear, .start = start, .end = end};
+    EXPECT_FLOAT_EQ(fogLeft(fog, 0, 20, true), fogTransmission(fog, 20));
+    EXPECT_LE(fogLeft(fog, 20, 20, false), 1) << "fog takes no light away";
   }
 }
 
 TEST(Fog, BehindOpaqueFogNothingIsLeft) {
-  const Fog fog{.mode = FogMode::Linear, .start = 0, .end = 10, .color = Rgb(0.5f)};
-  RayItem item;
-  item.weight = Rgb(1);
-  EXPECT_EQ(passFog(fog, item, 20, true).x, 0.5f);
-  EXPECT_EQ(item.weight.x, 0);
-  item.travelled = 20;
-  EXPECT_EQ(passFog(fog, item, 20, false).x, 0) << "not a number otherwise";
-  EXPECT_EQ(item.weight.x, 0);
+  const Fog fog{.mode = FogMode::Linear, .start = 0, .end = 10};
+  EXPECT_EQ(fogLeft(fog, 0, 20, true), 0);
+  EXPECT_EQ(fogLeft(fog, 20, 20, false), 0) << "not a number otherwise";
 }
 
-TEST(Fog, OffChangesNothing) {
-  RayItem item;
-  item.weight = Rgb(0.25f);
-  EXPECT_EQ(passFog(Fog{}, item, 7, true), Rgb(0));
-  EXPECT_EQ(item.weight, Rgb(0.25f));
+// Parallel rays start behind the eye: what they meet there is at no distance from it.
+TEST(Fog, BehindTheEyeThereIsNone) {
+  const Fog fog{.mode = FogMode::Exp, .density = 0.5f};
+  EXPECT_EQ(fogLeft(fog, -30, 20, true), 1);
+  EXPECT_FLOAT_EQ(fogLeft(fog, -30, 33, true), std::exp(-1.5f));
 }
 
 }  // namespace

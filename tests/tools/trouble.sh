@@ -55,7 +55,6 @@ if [ "$(id -u)" -ne 0 ]; then
 fi
 mkdir folder.png
 refused 'folder.png: cannot be written' "$tool" render "$model" -q -o folder.png
-refused 'heat.tga: the extension' "$tool" stats "$model" --heatmap heat.tga
 
 # A library without the module of picture formats beside it: PNG is written and read all the same.
 "$tool" render "$model" -q -o alone.bmp --size 64x48

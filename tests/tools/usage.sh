@@ -42,6 +42,7 @@ expect 2 'samples' "$tool" render "$model" -o a.png --samples 65
 expect 1 '^raycore: missing.glb: cannot be opened: No such file' "$tool" info missing.glb
 expect 1 'no model format' "$tool" info said
 expect 2 'extension is none of' "$tool" render "$model" -o a.tga
+expect 2 'heat.tga: the extension' "$tool" stats "$model" --heatmap heat.tga
 expect 2 'frames: "abc" is not a range' "$tool" render "$model" -o a.png --frames abc
 expect 2 'there is no such scene' "$tool" bench --only nothing
 expect 1 'camera "7"' "$tool" render "$model" -o a.png --camera 7

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "rcddi/cpu/trace.h"
 #include "rcddi/cpu/units.h"
-#include "rchal/frame.h"
+#include "rchal/tile_tracer.h"
 
 namespace rc::ddi::cpu {
 namespace {

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // trace.h: traversal and intersection for many rays at a time, in the widest instructions the machine has.
-// In: SceneView, rays in columns.  Out: Hits, equal to those of units/traversal.h bit by bit.  Next: rchal/frame.h
+// In: SceneView, rays in columns.  Out: Hits, equal to those of units/traversal.h bit by bit.  Next:
+// rchal/tile_tracer.h
 //
 // Rays that follow each other should lie beside each other: they are looked at in groups of 256, blocks of 16.
 #pragma once

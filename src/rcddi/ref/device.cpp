@@ -5,7 +5,7 @@
 // acceleration structure and no tiles, so that it can say whether those that do are right.
 #include "rcddi/ref/device.h"
 
-#include "rchal/frame.h"
+#include "rchal/tile_tracer.h"
 
 namespace rc::ddi::ref {
 namespace {

@@ -44,7 +44,8 @@ bool refit(std::span<const hal::HotTriangle> triangles, const Workers &workers, 
 // The core and the grain of triangles as they lie now; at least one.
 void sampleTriangles(std::span<const hal::HotTriangle> triangles, Accel &accel);
 
-// What a random ray through the bounds costs in a BVH: boxes it meets. [Goldsmith, Salmon 1987]
+// What a random ray through the core costs in a BVH: boxes it meets there. One triangle far away makes the bounds as
+// large as it likes, and any tree good by that measure. [Goldsmith, Salmon 1987]
 double costOf(const Accel &accel);
 
 // One for each kind, and one for a frame's BVH; buildAccel chooses.

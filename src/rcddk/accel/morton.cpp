@@ -60,6 +60,13 @@ Bounds boundsOf(std::span<const HotTriangle> triangles, const Workers &workers) 
   return all;
 }
 
+// What the cells divide: where most triangles are, and as far again around. What lies beyond is in the outermost cells:
+// else one triangle far away would put all the others into one.
+Bounds cellsOf(const Bounds &all, const Bounds &core) {
+  const Vec3 around(maxComponent(core.size()));
+  return {glm::max(all.lower, core.lower - around), glm::min(all.upper, core.upper + around)};
+}
+
 LargeVector<Coded> codesOf(std::span<const HotTriangle> triangles, const Bounds &bounds, const Workers &workers) {
   LargeVector<Coded> codes(triangles.size());
   constexpr float kCells = 1 << kBitsAnAxis;
@@ -164,7 +171,7 @@ class MortonBuilder {
 }  // namespace
 
 void buildMorton(std::span<const HotTriangle> triangles, const Workers &workers, Accel &accel) {
-  LargeVector<Coded> codes = codesOf(triangles, boundsOf(triangles, workers), workers);
+  LargeVector<Coded> codes = codesOf(triangles, cellsOf(boundsOf(triangles, workers), accel.core), workers);
   sortByCode(codes);
   accel.bvhNodes.reserve(triangles.size() / 12 + 8);
   accel.blocks.reserve(triangles.size() * 2 / 7 + 8);

@@ -3,10 +3,10 @@
 //
 // fog.h: surfaces fade to the colour of the fog by the way their light has to the eye, along mirrors and through
 // glass too. What meets nothing keeps the clear colour. [OpenGL ES 1.1, 3.8]
-// In: Fog, RayItem, distance of its hit.  Out: the fog's light; the item is weakened.  Next: units/shading.h
+// In: Fog, the way behind a ray and before it.  Out: share of the surface's light that is left.  Next: units/shading.h
 #pragma once
 
-#include "rchal/queues.h"
+#include "rchal/scene_view.h"
 #include "rchal/units/elementary.h"
 
 namespace rc::hal {
@@ -29,19 +29,14 @@ inline float fogTransmission(const Fog &fog, float distance) {
   return 1;
 }
 
-// Takes the item to its hit: what the fog adds on this piece of the way; the rest of the item's weight is for the
-// surface. Pieces multiply to the transmission of the whole way.
-inline Rgb passFog(const Fog &fog, RayItem &item, float t, bool fromEye) {
-  if (fog.mode == FogMode::Off) return Rgb(0);
-  // Parallel rays may start behind the eye.
-  const float before = std::max(item.travelled + item.after.t, 0.0f), behind = std::max(item.travelled + t, 0.0f);
-  // The first piece counts as the whole way: the fog may begin behind the eye, or end before it begins.
-  const bool first = fromEye && item.after.primitive == kNoPrimitive;
-  const float atStart = first ? 1.0f : fogTransmission(fog, before);
-  const float left = atStart > 0 ? std::min(fogTransmission(fog, behind) / atStart, 1.0f) : 0.0f;
-  const Rgb added = item.weight * (1 - left) * fog.color;
-  item.weight *= left;
-  return added;
+// What a leg of the way leaves, from the eye or the last mirror to a hit; the rest is the fog's own light. Legs
+// multiply to the transmission of the whole way. What lies behind a layer that is there in part has its own fog, from
+// the start of the leg: before the background there is none. travelled: up to the start of the leg; parallel rays may
+// start behind the eye.
+inline float fogLeft(const Fog &fog, float travelled, float t, bool fromEye) {
+  // The first leg counts as the whole way: the fog may begin behind the eye, or end before it begins.
+  const float atStart = fromEye ? 1.0f : fogTransmission(fog, std::max(travelled, 0.0f));
+  return atStart > 0 ? std::min(fogTransmission(fog, std::max(travelled + t, 0.0f)) / atStart, 1.0f) : 0.0f;
 }
 
 }  // namespace rc::hal

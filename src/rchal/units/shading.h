@@ -3,7 +3,7 @@
 //
 // shading.h: the shading unit: colour of one hit, and the rays it asks for. [spec 3.4, 3.5, 4; G 6, 7]
 // In: SceneView, RayItem, Hit.  Out: colours into Outputs::sums, shadow and secondary rays into its queues.
-// Next: rchal/frame.h sends the shadow rays to the traversal unit and the others round again.
+// Next: rchal/tile_tracer.h sends the shadow rays to the traversal unit and the others round again.
 #pragma once
 
 #include "rchal/units/coverage.h"
@@ -29,12 +29,13 @@ inline int secondaryKinds(const MaterialRow &material, bool last) {
 }
 inline float shareOf(int rays) { return rays > 1 ? 1 / static_cast<float>(rays) : 1; }
 
-// Where every hit of a ray makes two, their number doubles with each bounce, and so do the parts of what may be left
-// out. After so many bounces only rays count that weigh enough: 4096 of them share what a pixel shows, not 2^31.
-inline constexpr int kFreeBounces = 12;
+// Where every hit of a ray makes two or three, their number grows as a power of the hits on the way: bounces, and
+// layers that were there in part. The parts of what may be left out shrink as fast. After so many hits only rays count
+// that weigh enough: 4096 of them share what a pixel shows, not 2^31.
+inline constexpr int kFreeHits = 12;
 inline constexpr float kLeastAfterwards = 1.0f / 4096;
-inline float leastWeight(const SceneView &scene, int bounces) {
-  return bounces < kFreeBounces ? scene.minWeight : std::max(scene.minWeight, kLeastAfterwards);
+inline float leastWeight(const SceneView &scene, int hits) {
+  return hits < kFreeHits ? scene.minWeight : std::max(scene.minWeight, kLeastAfterwards);
 }
 
 class Shader {
@@ -54,16 +55,18 @@ class Shader {
     mAttributes = &geometry.attributes[index];
     if (mMaterial->texture != kNoTexture) readTexel();
     mCoverage = coverage(mTriangle->flags, mPoint.front, mCoverage);
-    if (item.afterSeen && isSameSurface(scene, item.after, hit)) mCoverage = 0;
+    mSeenBefore = item.afterSeen && isSameSurface(scene, item.after, hit);
+    if (mSeenBefore) mCoverage = 0;
     const bool last = out.bounces >= scene.maxBounces;
-    mTolerance = item.tolerance * shareOf(secondaryKinds(*mMaterial, last) + (mCoverage < 1));
+    mTolerance = item.tolerance;
+    if (mCoverage > 0) mTolerance *= shareOf(secondaryKinds(*mMaterial, last) + (mCoverage < 1));
     if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal();
   }
 
   void shade() {
     if (mCoverage < 1) goStraightOn();
-    const Rgb weight = mItem.weight * mCoverage;
-    if (maxComponent(weight) <= 0) return;
+    if (maxComponent(mItem.weight * mCoverage) <= 0) return;
+    const Rgb weight = throughFog(mItem.weight * mCoverage);
     if (mTextured && mTriangle->flags & kTextureOnly) {
       add(weight * mTexel);
       return;
@@ -77,6 +80,14 @@ class Shader {
 
  private:
   void add(const Rgb &colour) { mOut.sums.add(mItem.pixel, colour); }
+
+  // What the fog leaves of the surface; it adds its own light.
+  Rgb throughFog(const Rgb &weight) {
+    if (mScene.fog.mode == FogMode::Off) return weight;
+    const float left = fogLeft(mScene.fog, mItem.travelled, mHit.t, mOut.bounces == 0);
+    add(weight * (1 - left) * mScene.fog.color);
+    return weight * left;
+  }
 
   void readTexel() {
     const TextureView &texture = mScene.textures[size_t(mMaterial->texture)];
@@ -152,18 +163,21 @@ class Shader {
   void goStraightOn() {
     RayItem next = mItem;
     next.after = {mHit.t, mHit.primitive};
-    next.afterSeen = mCoverage > 0;
+    next.afterSeen = mCoverage > 0 || mSeenBefore;  // more than two triangles may meet where the ray passes
     next.weight = mItem.weight * (1 - mCoverage);
     next.tolerance = mTolerance;
+    next.layers += mCoverage > 0;
+    if (mCoverage > 0 && !counts(next.weight, next.layers)) return;
     mOut.sameBounce.push(next);
     ++mOut.counts.straight;
   }
 
-  // Whether a secondary ray of this weight is worth tracing.
-  bool counts(const Rgb &weight) const {
+  // Whether a ray of this weight, behind so many layers, is worth tracing.
+  bool counts(const Rgb &weight, uint32_t layers) const {
     const float strongest = maxComponent(weight);
-    return strongest > mTolerance && strongest >= leastWeight(mScene, mOut.bounces);
+    return strongest > mTolerance && strongest >= leastWeight(mScene, mOut.bounces + static_cast<int>(layers));
   }
+  bool counts(const Rgb &weight) const { return counts(weight, mItem.layers); }
 
   float curvatureHere() const { return curvature(*mTriangle, *mAttributes, mPoint.flatNormal); }
 
@@ -223,17 +237,16 @@ class Shader {
   float mCoverage = 1;  // share of the surface that is there
   float mTolerance;     // of each ray that leaves
   bool mTextured = false;
+  bool mSeenBefore;  // as another triangle of the same surface
 };
 
 // What becomes of one ray whose nearest hit is known.
-inline void shadeRay(const SceneView &scene, RayItem item, const Hit &hit, const Outputs &out) {
+inline void shadeRay(const SceneView &scene, const RayItem &item, const Hit &hit, const Outputs &out) {
   if (!hit.found()) {
     out.sums.add(item.pixel, item.weight * scene.clearColor);
     return;
   }
-  const bool fromEye = out.bounces == 0;
-  if (fromEye && item.after.primitive == kNoPrimitive) ++out.counts.primaryHits;
-  out.sums.add(item.pixel, passFog(scene.fog, item, hit.t, fromEye));
+  if (out.bounces == 0 && item.after.primitive == kNoPrimitive) ++out.counts.primaryHits;
   Shader(scene, item, hit, out).shade();
 }
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // shadow.h: how much of a light gets through to a point. [spec 4; reference 4.2, 4.3]
-// In: SceneView, ShadowItem's ray and distance.  Out: share per channel.  Next: rchal/frame.h adds the colour.
+// In: SceneView, ShadowItem's ray and distance.  Out: share per channel.  Next: rchal/tile_tracer.h adds the colour.
 #pragma once
 
 #include "rchal/units/coverage.h"

@@ -16,12 +16,15 @@
 namespace rc::hal {
 
 inline constexpr float kSlack = 1e-5f;
+inline constexpr float kPassedSlack = 1e-4f;  // for where a search goes on: distances to needles are rounded by more
 
 // The part of a ray that the trees need.
 struct TraversalRay {
   Vec3 origin, inverse;  // inverse: 1 / direction, finite also where a component is 0
+  float begin;           // boxes that end before it are passed
 
-  explicit TraversalRay(const Ray &ray) : origin(ray.origin) {
+  explicit TraversalRay(const Ray &ray, const HitOrder &after = {})
+      : origin(ray.origin), begin(std::max(0.0f, after.t * (1 - kPassedSlack))) {
     for (int axis = 0; axis < 3; ++axis) {
       const float d = ray.direction[axis];
       inverse[axis] = 1.0f / (std::abs(d) < 1e-20f ? std::copysign(1e-20f, d) : d);
@@ -29,14 +32,14 @@ struct TraversalRay {
   }
 };
 
-// The interval of the ray inside the box, within [0, tMax]; nothing if it misses.
+// The interval of the ray inside the box, within [begin, tMax]; nothing if it misses.
 struct Interval {
   float enter, leave;
 };
 inline std::optional<Interval> clip(const TraversalRay &ray, const Vec3 &lower, const Vec3 &upper, float tMax) {
   const Vec3 t0 = (lower - ray.origin) * ray.inverse;
   const Vec3 t1 = (upper - ray.origin) * ray.inverse;
-  const float enter = std::max(0.0f, maxComponent(glm::min(t0, t1))) * (1 - kSlack);
+  const float enter = std::max(ray.begin, maxComponent(glm::min(t0, t1))) * (1 - kSlack);
   const float leave = std::min(tMax, minComponent(glm::max(t0, t1))) * (1 + kSlack);
   if (!(enter <= leave)) return std::nullopt;
   return Interval{enter, leave};
@@ -163,7 +166,7 @@ void walk(const GeometryView &geometry, const TraversalRay &ray, const float &tM
 
 // The first hit after `after` and not beyond tMax.
 inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after, float tMax) {
-  const TraversalRay traversal(ray);
+  const TraversalRay traversal(ray, after);
   const ShearedRay sheared(ray);
   Hit best;
   best.t = tMax;

@@ -88,7 +88,7 @@ HWY_INLINE hn::Vec<D16> endsOf(const Batch &batch, const Beam &beam, size_t i) {
       hn::MulAdd(hn::LoadU(d, batch.origin[batch.kz] + i), hn::Set(d, batch.zSign), hn::Set(d, beam.zOffset));
   const auto speed = hn::Abs(hn::LoadU(d, batch.direction[batch.kz] + i));
   const auto length = hn::Mul(hn::Mul(hn::Load(d, batch.t + i), speed), hn::Set(d, 1 + hal::kSlack));
-  return hn::Add(start, length);
+  return hn::Min(hn::Add(start, length), hn::Set(d, kFarthest));
 }
 
 HWY_INLINE float farthest(const Batch &batch, const Beam &beam, size_t packet) {

@@ -36,16 +36,15 @@ RC_STEP F coverage(uint32_t flags, const SurfaceLanes &surface, F opacity) {
   return there;
 }
 
-// A surface whose other triangle was seen already, at the common edge, is not seen again.
-HWY_NOINLINE inline F withoutSeen(const Shading &shading, size_t first, uint32_t lanesAsked, F there) {
-  alignas(64) float lanesThere[kMostLanes];
-  hn::Store(there, FTag(), lanesThere);
+// Lanes whose surface was seen already, as another of its triangles that meet here.
+HWY_NOINLINE inline M seenBefore(const Shading &shading, size_t first, uint32_t lanesAsked) {
+  alignas(64) float seen[kMostLanes] = {};
   while (lanesAsked) {
     const size_t lane = nextBit(lanesAsked), at = first + lane;
     if (!shading.rays.afterSeen[at]) continue;
-    if (hal::isSameSurface(shading.scene, shading.rays.after(at), shading.hits[at])) lanesThere[lane] = 0;
+    if (hal::isSameSurface(shading.scene, shading.rays.after(at), shading.hits[at])) seen[lane] = 1;
   }
-  return hn::Load(FTag(), lanesThere);
+  return hn::Gt(hn::Load(FTag(), seen), zero());
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // fog-inl.h: units/fog.h for lanes.
-// In: Fog, RayLanes.  Out: the fog's light into the sums; the rays are weakened.  Next: shade-inl.h
+// In: Fog, RayLanes, weight of the surface.  Out: the fog's light into the sums, what it leaves.  Next: shade-inl.h
 #if defined(RAYCORE_SHADING_FOG_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_SHADING_FOG_INL
 #undef RAYCORE_SHADING_FOG_INL
@@ -33,18 +33,15 @@ RC_STEP F fogTransmission(const hal::Fog &fog, F distance) {
   return all(1);
 }
 
-// units/fog.h: takes the rays to their hits.
-RC_STEP void passFog(const Shading &shading, RayLanes &rays, M straight) {
+// units/fog.h, and what the fog adds.
+RC_STEP V3 throughFog(const Shading &shading, const RayLanes &rays, const V3 &weight, M shaded) {
   const hal::Fog &fog = shading.scene.fog;
   const F travelled = load(shading.rays.travelled, rays.first);
-  const F afterT = load(shading.rays.afterT, rays.first);
-  const F before = hn::Max(hn::Add(travelled, afterT), zero()), behind = hn::Max(hn::Add(travelled, rays.t), zero());
-  const M later = shading.out.bounces == 0 ? straight : rays.found;
-  const F atStart = select(later, fogTransmission(fog, before), all(1));
-  const F share = hn::Min(hn::Div(fogTransmission(fog, behind), atStart), all(1));
-  const F left = onlyWhere(hn::Gt(atStart, zero()), share);
-  addToPixels((hn::Sub(all(1), left) * rays.weight) * all(fog.color), rays.found, rays.pixel, shading.out.sums);
-  rays.weight = left * rays.weight;
+  const F behind = fogTransmission(fog, hn::Max(hn::Add(travelled, rays.t), zero()));
+  const F atStart = shading.out.bounces == 0 ? all(1) : fogTransmission(fog, hn::Max(travelled, zero()));
+  const F left = onlyWhere(hn::Gt(atStart, zero()), hn::Min(hn::Div(behind, atStart), all(1)));
+  addToPixels((hn::Sub(all(1), left) * weight) * all(fog.color), shaded, rays.pixel, shading.out.sums);
+  return left * weight;
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

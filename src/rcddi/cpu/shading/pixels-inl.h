@@ -56,6 +56,7 @@ HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile,
     hn::StoreU(all(one.after.t), d, &rays.afterT[i]);
     hn::StoreU(hn::Set(du, one.after.primitive), du, &rays.afterPrimitive[i]);
     hn::StoreU(hn::Zero(du), du, &rays.afterSeen[i]);
+    hn::StoreU(hn::Zero(du), du, &rays.layers[i]);
     hn::StoreU(all(one.coneWidth), d, &rays.coneWidth[i]);
     hn::StoreU(all(one.coneSpread), d, &rays.coneSpread[i]);
     hn::StoreU(all(one.travelled), d, &rays.travelled[i]);

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // secondary-inl.h: the rays that hits ask for: straight on, reflected, refracted. (units/shading.h)
-// In: RayLanes, SurfaceLanes.  Out: RayQueues.  Next: rchal/frame.h
+// In: RayLanes, SurfaceLanes.  Out: RayQueues.  Next: rchal/tile_tracer.h
 #if defined(RAYCORE_SHADING_SECONDARY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_SHADING_SECONDARY_INL
 #undef RAYCORE_SHADING_SECONDARY_INL
@@ -17,7 +17,7 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 // A ray for each lane of the mask; the queue has room for a vector. Returns how many.
 RC_STEP size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight, F coneWidth, F coneSpread, F travelled,
-                        F tolerance, U pixel, M asked, hal::RayQueue &queue) {
+                        F tolerance, U layers, U pixel, M asked, hal::RayQueue &queue) {
   const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
   append(origin, asked, end, queue.origin);
   append(direction, asked, end, queue.direction);
@@ -26,6 +26,7 @@ RC_STEP size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight,
   append(coneSpread, asked, end, queue.coneSpread);
   append(travelled, asked, end, queue.travelled);
   append(tolerance, asked, end, queue.tolerance);
+  append(layers, asked, end, queue.layers);
   append(pixel, asked, end, queue.pixel);
   hn::StoreU(zero(), FTag(), queue.afterT.data() + end);
   hn::StoreU(hn::Set(UTag(), hal::kNoPrimitive), UTag(), queue.afterPrimitive.data() + end);
@@ -34,26 +35,33 @@ RC_STEP size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight,
   return count;
 }
 
-// The same rays, for what lies behind these hits. weight: what is left for them.
-RC_STEP void goStraightOn(const Shading &shading, const RayLanes &rays, const V3 &weight, F tolerance, M seen,
-                          M asked) {
+// Lanes whose rays, behind so many layers, are worth tracing.
+HWY_INLINE M worthTracing(const Shading &shading, const V3 &weight, F tolerance, U layers, M asked) {
+  const U hits = hn::Add(layers, hn::Set(UTag(), static_cast<uint32_t>(shading.out.bounces)));
+  const M free = hn::RebindMask(FTag(), hn::Lt(hits, hn::Set(UTag(), uint32_t{hal::kFreeHits})));
+  const F least =
+      select(free, all(hal::leastWeight(shading.scene, 0)), all(hal::leastWeight(shading.scene, hal::kFreeHits)));
+  const F strongest = maxComponent(weight);
+  return hn::And(asked, hn::And(hn::Gt(strongest, tolerance), hn::Ge(strongest, least)));
+}
+
+// The same rays, for what lies behind these hits. weight: what is left for them; there: lanes that hit something that
+// is there; seen: and those that saw it before.
+RC_STEP void goStraightOn(const Shading &shading, const RayLanes &rays, const V3 &weight, F tolerance, M there, M seen,
+                          M missing) {
   const hal::RayQueue &from = shading.rays;
+  const U one = hn::Set(UTag(), 1);
+  const U layers = hn::Add(load(from.layers, rays.first), hn::IfThenElseZero(hn::RebindMask(UTag(), there), one));
+  const M asked = hn::And(missing, hn::Or(hn::Not(there), worthTracing(shading, weight, tolerance, layers, missing)));
   hal::RayQueue &queue = shading.out.sameBounce;
   const size_t end = queue.size();
   const size_t count = pushRays(load(from.origin, rays.first), rays.direction, weight, load(from.coneWidth, rays.first),
-                                load(from.coneSpread, rays.first), load(from.travelled, rays.first), tolerance,
+                                load(from.coneSpread, rays.first), load(from.travelled, rays.first), tolerance, layers,
                                 rays.pixel, asked, queue);
-  const U one = hn::Set(UTag(), 1);
   append(rays.t, asked, end, queue.afterT);
   append(rays.primitive, asked, end, queue.afterPrimitive);
   append(hn::IfThenElseZero(hn::RebindMask(UTag(), seen), one), asked, end, queue.afterSeen);
   shading.out.counts.straight += count;
-}
-
-// Lanes whose secondary rays are worth tracing.
-HWY_INLINE M worthTracing(const Shading &shading, const V3 &weight, F tolerance, M asked) {
-  const F strongest = maxComponent(weight), least = all(hal::leastWeight(shading.scene, shading.out.bounces));
-  return hn::And(asked, hn::And(hn::Gt(strongest, tolerance), hn::Ge(strongest, least)));
 }
 
 class Secondary {
@@ -63,11 +71,12 @@ class Secondary {
         mRays(rays),
         mSurface(surface),
         mTolerance(tolerance),
+        mLayers(load(shading.rays.layers, rays.first)),
         mTravelled(hn::Add(load(shading.rays.travelled, rays.first), rays.t)),
         mCurvature(shading.cones ? curvature(surface, asked) : zero()) {}
 
   RC_STEP void reflect(const V3 &weight, M asked) const {
-    const M traced = worthTracing(mShading, weight, mTolerance, asked);
+    const M traced = worthTracing(mShading, weight, mTolerance, mLayers, asked);
     if (none(traced)) return;
     const V3 &d = mRays.direction;
     V3 mirrored = d - hn::Mul(all(2), dot(d, mSurface.normal)) * mSurface.normal;
@@ -80,7 +89,7 @@ class Secondary {
 
   // eta: index before / index behind; root: the square root of Snell's law.
   RC_STEP void refract(const V3 &weight, F eta, F cosine, F root, M asked) const {
-    const M traced = worthTracing(mShading, weight, mTolerance, asked);
+    const M traced = worthTracing(mShading, weight, mTolerance, mLayers, asked);
     if (none(traced)) return;
     V3 bent = eta * mRays.direction + hn::Sub(hn::Mul(eta, cosine), root) * mSurface.normal;
     const F depth = dot(bent, mSurface.flatNormal);
@@ -93,14 +102,16 @@ class Secondary {
  private:
   HWY_INLINE size_t bounce(const V3 &weight, const V3 &direction, F coneSpread, M traced) const {
     const V3 unit = directionOf(direction, mSurface.flatNormal);
-    return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mTolerance,
+    return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mTolerance, mLayers,
                     mRays.pixel, traced, mShading.out.nextBounce);
   }
 
   const Shading &mShading;
   const RayLanes &mRays;
   const SurfaceLanes &mSurface;
-  F mTolerance, mTravelled, mCurvature;
+  F mTolerance;
+  U mLayers;
+  F mTravelled, mCurvature;
 };
 
 // weight: of what arrives at the surface.

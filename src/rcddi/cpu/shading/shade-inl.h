@@ -3,7 +3,7 @@
 //
 // shade-inl.h: units/shading.h for lanes: the hits of a batch, a vector at a time, in it one kind after the other, so
 // that everything which a material decides is decided once.
-// In: SceneView, RayQueue, HitQueue.  Out: sums of pixels, ShadowQueues by light, RayQueues.  Next: rchal/frame.h
+// In: SceneView, RayQueue, HitQueue.  Out: sums of pixels, ShadowQueues by light, RayQueues.  Next: rchal/tile_tracer.h
 #if defined(RAYCORE_SHADING_SHADE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_SHADING_SHADE_INL
 #undef RAYCORE_SHADING_SHADE_INL
@@ -134,25 +134,36 @@ RC_STEP void shadeKind(const Shading &shading, const Kind &kind, const RayLanes 
   }
   there = coverage(kind.flags, surface, there);
   const M again = hn::And(straight, kind.lanes);
-  if (!none(again)) there = withoutSeen(shading, rays.first, bitsOf(FTag(), again), there);
+  M before = hn::Lt(there, zero());  // none
+  if (!none(again)) {
+    before = seenBefore(shading, rays.first, bitsOf(FTag(), again));
+    there = hn::IfThenZeroElse(before, there);
+  }
   if (kind.hasNormalMap())
     surface.normal = select(kind.lanes, bentNormals(shading, kind, rays, surface), surface.normal);
 
   const M missing = hn::And(kind.lanes, hn::Lt(there, all(1)));
   const int others = hal::secondaryKinds(material, shading.last);
-  const F tolerance = hn::Mul(load(shading.rays.tolerance, rays.first),
-                              select(missing, all(hal::shareOf(others + 1)), all(hal::shareOf(others))));
-  if (none(missing)) return shadeSurface(shading, kind, rays, surface, texel, rays.weight, tolerance, kind.lanes);
-  goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, tolerance, hn::Gt(there, zero()), missing);
-  const V3 weight = there * rays.weight;
-  const M shaded = hn::And(kind.lanes, hn::Gt(maxComponent(weight), zero()));
-  if (!none(shaded)) shadeSurface(shading, kind, rays, surface, texel, weight, tolerance, shaded);
+  F tolerance = hn::Mul(load(shading.rays.tolerance, rays.first), all(hal::shareOf(others)));
+  V3 weight = rays.weight;
+  M shaded = kind.lanes;
+  if (!none(missing)) {
+    const M some = hn::Gt(there, zero());
+    const F share = select(missing, select(some, all(hal::shareOf(others + 1)), all(1)), all(hal::shareOf(others)));
+    tolerance = hn::Mul(load(shading.rays.tolerance, rays.first), share);
+    goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, tolerance, some, hn::Or(some, before), missing);
+    weight = there * rays.weight;
+    shaded = hn::And(kind.lanes, hn::Gt(maxComponent(weight), zero()));
+    if (none(shaded)) return;
+  }
+  if (shading.scene.fog.mode != hal::FogMode::Off) weight = throughFog(shading, rays, weight, shaded);
+  shadeSurface(shading, kind, rays, surface, texel, weight, tolerance, shaded);
 }
 
 // One vector of rays.
 RC_STEP void shadeVector(const Shading &shading, size_t first) {
   const M valid = lanesUpTo(FTag(), first, shading.rays.size());
-  RayLanes rays = loadRays(shading, first, valid);
+  const RayLanes rays = loadRays(shading, first, valid);
   const M missed = hn::AndNot(rays.found, valid);
   if (!none(missed)) {
     addToPixels(rays.weight * all(shading.scene.clearColor), missed, rays.pixel, shading.out.sums);
@@ -164,7 +175,6 @@ RC_STEP void shadeVector(const Shading &shading, size_t first) {
   if (shading.out.bounces == 0) {
     shading.out.counts.primaryHits += hn::CountTrue(FTag(), hn::And(fresh, rays.found));
   }
-  if (shading.scene.fog.mode != hal::FogMode::Off) passFog(shading, rays, straight);
   SurfaceLanes surface;
   surfaceOf(shading, rays, surface);
   for (M open = rays.found; !none(open);) {

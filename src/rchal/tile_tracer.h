@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// frame.h: the loop over generations that takes one tile of the screen through the units. [G 1.2]
+// tile_tracer.h: the loop over generations that takes one tile of the screen through the units. [G 1.2]
 //   ray generation -> traversal & intersection -> hit point and shading -> shadow rays -> next generation
 // In: SceneView, a tile.  Out: pixels of the Target.
 //

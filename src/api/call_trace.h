@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// trace.h: RAYCORE_TRACE=file logs each call: its frame, arguments by name, result, and the error it raised.
+// call_trace.h: RAYCORE_TRACE=file logs each call: its frame, arguments by name, result, and the error it raised.
 // While it is off a call costs one test of a flag. [spec 6; beyond the guide]
 //
 // A line:  frame 3: rcLightf(light = RC_LIGHT0, pname = RC_SPOT_CUTOFF, param = 95): RC_INVALID_VALUE: 95 is ...

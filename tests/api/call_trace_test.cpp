@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // The lines of the call tracer, and the names of tokens in them.
-#include "api/trace.h"
+#include "api/call_trace.h"
 
 #include <map>
 #include <set>

@@ -7,6 +7,9 @@
 #include <X11/Xutil.h>
 #include <X11/keysym.h>
 
+#include <chrono>
+#include <thread>
+
 #include "RCFramework.h"
 
 struct WindowPlatform::Window {
@@ -94,6 +97,20 @@ bool isManaged(::Display *display, Atom check) {
   return count == 1;
 }
 
+// A window manager may have sizes of its own. It may also never map the window: the program then begins without.
+void awaitMapped(::Display *display, ::Window window, int &width, int &height) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+  while (std::chrono::steady_clock::now() < deadline) {
+    XEvent event;
+    if (!XCheckWindowEvent(display, window, StructureNotifyMask, &event)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      continue;
+    }
+    if (event.type == ConfigureNotify) width = event.xconfigure.width, height = event.xconfigure.height;
+    if (event.type == MapNotify || event.type == DestroyNotify) return;
+  }
+}
+
 float fraction(int position, int size) { return size > 0 ? float(position) / float(size) : 0.0f; }
 
 }  // namespace
@@ -120,11 +137,7 @@ BOOL WindowPlatform::Create(const char *title, int &width, int &height) {
                KeyPressMask | ButtonPressMask | ButtonReleaseMask | PointerMotionMask | StructureNotifyMask);
   SetTitle(title);
   XMapWindow(display, m_pWindow->window);
-  XEvent event;
-  do {  // a window manager may have sizes of its own
-    XWindowEvent(display, m_pWindow->window, StructureNotifyMask, &event);
-    if (event.type == ConfigureNotify) width = event.xconfigure.width, height = event.xconfigure.height;
-  } while (event.type != MapNotify);
+  awaitMapped(display, m_pWindow->window, width, height);
   return TRUE;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
-#include "api/trace.h"
+#include "api/call_trace.h"
 
 #include <cerrno>
 #include <charconv>
