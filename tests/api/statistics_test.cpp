@@ -152,6 +152,19 @@ TEST_F(StatisticsTest, WhatIsNotThereIsPassed) {
   EXPECT_EQ(askOne(RC_RAY_MATERIAL, 5, 5), RCfloat(behind));
 }
 
+// However much of it: each search goes on where the last one ended.
+TEST_F(StatisticsTest, ManyLayersThatAreNotThereArePassed) {
+  pixelCamera();
+  constexpr int kLayers = 400;
+  const RCuint behind = makeMaterial(1);
+  drawQuad({0, 0, 20, 20}, -1);
+  makeMaterial(0.5f);
+  rcEnable(RC_CULL_FACE);
+  for (int i = 0; i < kLayers; ++i) drawClockwiseQuad({0, 0, 20, 20}, 0.1f * float(i));
+  EXPECT_EQ(askOne(RC_RAY_MATERIAL, 5, 6), RCfloat(behind));
+  EXPECT_LT(askOne(RC_RAY_TRIANGLES, 5, 6), 60 * kLayers);
+}
+
 TEST_F(StatisticsTest, EveryStructureGivesTheSameAnswersAtItsOwnCost) {
   pixelCamera();
   std::vector<std::vector<RCfloat>> distances;

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "images/picture.h"
 
@@ -49,7 +50,18 @@ TEST_F(CaptureFile, Png) {
   ASSERT_EQ(read.height, 2);
   EXPECT_EQ(read.at(0, 0), (Pixel{255, 0, 0}));
   EXPECT_EQ(read.at(0, 1), (Pixel{3, 2, 1}));
-  EXPECT_FALSE(std::filesystem::exists(file("a.png.part")));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(mFolder), {}), 1) << "and nothing else is left there";
+}
+
+TEST_F(CaptureFile, OfSeveralThreadsOneStays) {
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&] {
+      for (int k = 0; k < 20; ++k) EXPECT_TRUE(writePicture(file("a.png"), mPicture));
+    });
+  }
+  for (std::thread &thread : threads) thread.join();
+  EXPECT_EQ(readPng(file("a.png")).at(0, 1), (Pixel{3, 2, 1}));
 }
 
 TEST_F(CaptureFile, Ppm) {

@@ -85,5 +85,50 @@ TEST_F(ForkedProgram, OtherThreadsMayDrawMeanwhile) {
   for (std::thread &thread : threads) thread.join();
 }
 
+// They leave no moment in which none of them is in a call: fork() would wait for ever.
+TEST_F(ForkedProgram, OthersWhoNeverPauseLetItPass) {
+  ASSERT_TRUE(select(drawable()));
+  const Picture before = draw();
+  std::atomic<bool> end = false;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 3; ++i) {
+    threads.emplace_back([&] {
+      const EGLSurface surface = pbuffer(300, 300);
+      ASSERT_TRUE(select({surface, context()}));
+      while (!end) eglSwapBuffers(mDisplay, surface);
+      ASSERT_TRUE(eglReleaseThread());
+    });
+  }
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(inChild([&] { return draw() == before; }), 0);
+  end = true;
+  for (std::thread &thread : threads) thread.join();
+}
+
+// main() returns while they draw.
+TEST_F(ForkedProgram, EndsThoughOtherThreadsDraw) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "what they have is a leak to the sanitizer";
+#endif
+  for (int i = 0; i < 20; ++i) {
+    const auto drawForEver = [&] {
+      std::atomic<int> frames = 0;
+      for (int k = 0; k < 2; ++k) {
+        std::thread([&] {
+          const EGLSurface surface = pbuffer(64, 64);
+          if (!select({surface, context()})) return;
+          for (;; ++frames) {
+            draw();
+            eglSwapBuffers(mDisplay, surface);
+          }
+        }).detach();
+      }
+      while (frames < 4) usleep(100);
+      std::exit(0);
+      return false;
+    };
+    EXPECT_EQ(inChild(drawForEver), 0);
+  }
+}
+
 }  // namespace
 }  // namespace rc::test

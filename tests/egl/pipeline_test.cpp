@@ -177,6 +177,20 @@ TEST_F(Pipeline, WhatWasSwappedCanBeRead) {
   EXPECT_EQ(read(), empty) << "what moves has ended with its frame, so another one shows nothing of it";
 }
 
+// What other contexts of a share group change asks for no other picture of it either.
+TEST_F(Pipeline, WhatWasSwappedCanBeReadThoughOthersChangeTheirs) {
+  const std::vector<Picture> expected = truth();
+  const EGLContext other = eglCreateContext(mDisplay, mConfig, mDrawable.context, nullptr);
+  drawFrame(2);
+  swap();
+  std::thread([&] {
+    ASSERT_TRUE(select({pbuffer(kSide, kSide), other}));
+    rcClearColor(1, 0, 0, 1);
+    ASSERT_TRUE(eglReleaseThread());
+  }).join();
+  EXPECT_EQ(read(), expected[2]);
+}
+
 // The usual way not to run ahead of the pictures.
 TEST_F(Pipeline, WaitingForAFenceBehindASwapMakesNoOtherPicture) {
   drawFrame(1);

@@ -4,6 +4,7 @@
 // Pbuffers as textures, textures as images, and what configs do to pixels. [EGL 1.5, 3.6, 3.9]
 #include <array>
 #include <cmath>
+#include <thread>
 
 #include "RC/rcu.h"
 #include "egl/display.h"
@@ -86,6 +87,18 @@ TEST_F(Textures, APbufferIsSeenOnAQuadTheRightWayUp) {
   EXPECT_TRUE(eglReleaseTexImage(mDisplay, source, EGL_BACK_BUFFER));
   EXPECT_TRUE(eglReleaseTexImage(mDisplay, source, EGL_BACK_BUFFER)) << "once more does nothing";
   EXPECT_TRUE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER));
+}
+
+TEST_F(Textures, APbufferThatAnotherThreadDrawsToDoesNotKeepStill) {
+  const EGLSurface source = texturable(mConfig, EGL_TEXTURE_RGB), target = pbuffer(32, 32);
+  ASSERT_TRUE(eglMakeCurrent(mDisplay, source, source, context()));
+  std::thread([&] {
+    ASSERT_TRUE(eglMakeCurrent(mDisplay, target, target, context()));
+    EXPECT_FALSE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER));
+    expectError(EGL_BAD_ACCESS);
+    ASSERT_TRUE(eglReleaseThread());
+  }).join();
+  EXPECT_TRUE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER)) << "its own thread may";
 }
 
 TEST_F(Textures, ATextureThatIsLoadedAnewLetsGo) {

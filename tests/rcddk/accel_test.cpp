@@ -285,6 +285,28 @@ TEST(Refit, AsksForANewTreeWhereTheOldOneIsNoGood) {
   EXPECT_FALSE(ddk::refit(triangles, workers, kdTree));
 }
 
+// One triangle far away makes the bounds as large as it likes.
+TEST(Refit, AsksForANewTreeThoughOneTriangleFliesAway) {
+  Triangles triangles = terrain(40);
+  const Workers workers(1);
+  ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, workers);
+  std::shuffle(triangles.begin(), triangles.end(), std::mt19937(5));
+  for (Vec3 *v : {&triangles[7].v0, &triangles[7].v1, &triangles[7].v2}) v->x += 1000;
+  EXPECT_FALSE(ddk::refit(triangles, workers, accel));
+}
+
+TEST(FrameBvh, IsAsGoodThoughOneTriangleIsFarAway) {
+  const Workers workers(2);
+  Triangles triangles = terrain(60);
+  std::shuffle(triangles.begin(), triangles.end(), std::mt19937(3));
+  const auto cost = [&] {
+    return ddk::costOf(ddk::buildAccel(AccelKind::Bvh, triangles, workers, ddk::Lifetime::Frame));
+  };
+  const double before = cost();
+  for (Vec3 *v : {&triangles[7].v0, &triangles[7].v1, &triangles[7].v2}) v->x += 1e4f;
+  EXPECT_LT(cost(), 1.3 * before);
+}
+
 // What a triangle costs in memory, in the tree and its leaves.
 TEST(Accel, ABvhTakesAtMost80BytesATriangle) {
   for (const Triangles &triangles : {terrain(60), knot(40), soup(5000, 2)}) {

@@ -49,6 +49,15 @@ TEST(NearestSurface, FaceEdgeAndCorner) {
   EXPECT_FLOAT_EQ(ddk::nearestSurface(geometry, {1, 1, 0}), 0);
 }
 
+TEST(NearestSurface, FarAndLargeBeyondTheSquaresOfFloat) {
+  for (const float size : {1e5f, 1e10f, 1e15f}) {
+    TestScene scene({triangle({-size, -size, 0}, {size, -size, 0}, {0, size, 0})});
+    const GeometryView &geometry = scene.update().geometry[0];
+    EXPECT_FLOAT_EQ(ddk::nearestSurface(geometry, {0, 0, 1e4f * size}), 1e4f * size);
+    EXPECT_FLOAT_EQ(ddk::nearestSurface(geometry, {0, -4 * size, 4 * size}), 5 * size);
+  }
+}
+
 TEST(NearestSurface, NothingIsNowhereNear) {
   TestScene scene({});
   EXPECT_EQ(ddk::nearestSurface(scene.update().geometry[0], {1, 2, 3}), kInfinity);

@@ -253,6 +253,32 @@ TEST_F(Frame, AThousandTransparentLayersAreAllPassed) {
   EXPECT_EQ(mCounts.straight, 1000u);
 }
 
+// Each pane that is there in part sends a ray on and one back: their number is bounded by what they weigh.
+TEST_F(Frame, PanesThatAreThereInPartAndMirrorAreBounded) {
+  for (int i = 0; i < 12; ++i) addSquare(-float(i), kPane);
+  TestScene scene(mTriangles);
+  const uint32_t texel = 0x08ffffff;  // alpha 8 of 16
+  paintPane(scene, texel);
+  scene.materials[kPane].reflection = Rgb(0.3f);
+  scene.view.maxBounces = 14;
+  scene.view.ignorable = 0.5f / 255;
+  trace(scene);
+  EXPECT_LT(mCounts.straight + mCounts.reflected, 8192u);
+  EXPECT_GT(mCounts.straight + mCounts.reflected, 100u);
+}
+
+// A ray that weighs nothing any more is not sent on.
+TEST_F(Frame, BehindManyLayersNothingIsLeft) {
+  for (int i = 0; i < 200; ++i) addSquare(-0.1f * float(i), kPane);
+  TestScene scene(mTriangles);
+  const uint32_t texel = 0x08ffffff;
+  paintPane(scene, texel);
+  scene.view.ignorable = 0.5f / 255;
+  scene.view.clearColor = Rgb(1);
+  trace(scene);
+  EXPECT_LT(mCounts.straight, 20u);
+}
+
 TEST_F(Frame, TextureOnlyIsUnlitAndUnreflected) {
   addSquare(0, kPane, kTextureOnly);
   TestScene scene(mTriangles);

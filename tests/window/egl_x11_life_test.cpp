@@ -4,6 +4,8 @@
 // EGL on X servers: windows, displays and servers that come and go.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <thread>
@@ -116,6 +118,82 @@ TEST_P(EglX11, AServerThatDies) {
   ASSERT_TRUE(client.makeCurrent(off)) << "pbuffers live on";
   EXPECT_TRUE(client.swap(off));
   EXPECT_TRUE(eglDestroySurface(client.display, surface));
+}
+
+TEST_P(EglX11, AServerThatDiesUnnoticed) {
+  const Client client(*mServer);
+  const EGLSurface off = client.pbuffer(8, 8);
+  ASSERT_TRUE(client.makeCurrent(off));
+  mServer.reset();
+  EXPECT_TRUE(client.swap(off));
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE(eglReleaseThread());
+  EXPECT_TRUE(eglTerminate(client.display)) << "closes the connection";
+  testing::internal::GetCapturedStderr();
+}
+
+// Xlib has one handler of errors for the process, and it is the program's, whatever is shown meanwhile.
+TEST_P(EglX11, TheProgramsErrorHandlerIsItsOwn) {
+  static std::atomic<int> errors = 0;
+  errors = 0;
+  const auto mine = [](Display *, XErrorEvent *) { return ++errors, 0; };
+  const Client client(*mServer);
+  const EGLSurface surface = client.surface(client.window(64, 64));
+  ASSERT_TRUE(client.makeCurrent(surface));
+  XSetErrorHandler(countErrors);
+  for (int frame = 1; frame <= 50; ++frame) {
+    draw();
+    ASSERT_TRUE(eglSwapBuffers(client.display, surface));
+    for (int i = 0; i < 10; ++i) {
+      const XErrorHandler before = XSetErrorHandler(mine);
+      EXPECT_EQ(before, countErrors);
+      XDestroyWindow(mServer->connection(), 0x7fffff);
+      XSync(mServer->connection(), False);
+      XSetErrorHandler(before);
+    }
+    ASSERT_EQ(errors, 10 * frame);
+  }
+}
+
+// A child has its parent's socket: what it said there would be nonsense in the middle of the parent's words.
+TEST_P(EglX11, ChildrenLeaveTheConnectionAlone) {
+  const Client client(*mServer);
+  const Window window = client.window(64, 64);
+  const EGLSurface surface = client.surface(window);
+  ASSERT_TRUE(client.makeCurrent(surface));
+  for (int i = 0; i < 20; ++i) {
+    draw();
+    ASSERT_TRUE(eglSwapBuffers(client.display, surface));
+    const pid_t child = fork();
+    if (child == 0) {
+      alarm(60);
+      eglReleaseThread();  // waits for the picture
+      eglTerminate(client.display);
+      _exit(0);
+    }
+    for (int k = 0; k < 3; ++k) {
+      draw();
+      ASSERT_TRUE(eglSwapBuffers(client.display, surface));
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    ASSERT_EQ(status, 0);
+  }
+  draw();
+  ASSERT_TRUE(client.swap(surface));
+  EXPECT_LE(difference(mServer->screenshot(window), traced()), GetParam().rounding);
+}
+
+// We are the window manager, and map nothing.
+TEST_P(EglX11, AWindowThatIsNeverMapped) {
+  XSelectInput(mServer->connection(), DefaultRootWindow(mServer->connection()), SubstructureRedirectMask);
+  XSync(mServer->connection(), False);
+  const Client client(*mServer);
+  const EGLSurface own = client.surface(0);  // the library's own window
+  if (!own) GTEST_SKIP() << "the screen's windows have no colours";
+  ASSERT_TRUE(client.makeCurrent(own));
+  draw();
+  EXPECT_TRUE(client.swap(own)) << "seen by nobody";
 }
 
 }  // namespace
