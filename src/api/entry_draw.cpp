@@ -161,7 +161,7 @@ void rcDrawElements(RCenum mode, RCsizei count, RCenum type, const RCvoid *indic
     if (!primitive) return context.fail(RC_INVALID_ENUM, kUndrawnMode, mode);
     if (count < 0) return context.fail(RC_INVALID_VALUE, "count is %d, not 0 or more", count);
     if (!indexType)
-      return context.fail(RC_INVALID_ENUM, "type 0x%04X is not RC_UNSIGNED_BYTE, RC_UNSIGNED_SHORT or RC_UNSIGNED_INT",
+      return context.fail(RC_INVALID_ENUM, "type 0x%04X is not RC_(UNSIGNED_)BYTE, _SHORT or _INT",
                           type);
     if (const auto view = indexView(context, *indexType, size_t(count), indices)) draw(context, *primitive, *view);
   });

@@ -93,7 +93,7 @@ BOOL RCFramework::InitializeEgl() {
   if (!eglChooseConfig(m_eglDisplay, wanted, &config, 1, &count) || count == 0) return Fail("eglChooseConfig failed");
   m_eglSurface = GetWindowHandle() ? eglCreateWindowSurface(m_eglDisplay, config, GetWindowHandle(), nullptr)
                                    : eglCreatePbufferSurface(m_eglDisplay, config, offScreen);
-  if (m_eglSurface == EGL_NO_SURFACE) return Fail("eglCreateWindowSurface failed");
+  if (m_eglSurface == EGL_NO_SURFACE) return Fail("there is no EGL surface for the program");
   m_eglContext = eglCreateContext(m_eglDisplay, config, EGL_NO_CONTEXT, version);
   if (m_eglContext == EGL_NO_CONTEXT) return Fail("eglCreateContext failed");
   if (eglMakeCurrent(m_eglDisplay, m_eglSurface, m_eglSurface, m_eglContext) != EGL_TRUE) {

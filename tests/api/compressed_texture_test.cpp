@@ -95,7 +95,7 @@ TEST_F(CompressedTextureTest, EveryTexelOfEveryFormat) {
     ASSERT_EQ(texture().image->levels.size(), 6u);
     for (int y = 0; y < 16; ++y) {
       for (int x = 0; x < 32; ++x) {
-        const uint32_t texel = texture().image->levels[0][size_t(y * 32 + x)];
+        const uint32_t texel = texture().image->levels[0][size_t(y) * 32 + size_t(x)];
         for (size_t i = 0; i < 4; ++i) {
           ASSERT_NEAR(texel >> 8 * i & 255, expected(format, indexAt(format, x, y), i), 1)
               << format.token << " at " << x << ' ' << y << " channel " << i;

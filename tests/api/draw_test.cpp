@@ -71,12 +71,12 @@ TEST_F(DrawTest, EveryModeShowsASquare) {
   const float strip[] = {10, 10, 0, 30, 10, 0, 10, 30, 0, 30, 30, 0};
   const float pair[] = {10, 10, 0, 30, 10, 0, 30, 30, 0, 10, 10, 0, 30, 30, 0, 10, 30, 0};
   const struct {
-    RCenum mode;
     const float *vertices;
+    RCenum mode;
     RCsizei count;
   } cases[] = {
-      {RC_QUADS, kSquare, 4}, {RC_TRIANGLE_FAN, kSquare, 4}, {RC_TRIANGLE_STRIP, strip, 4}, {RC_TRIANGLES, pair, 6}};
-  for (const auto &[mode, vertices, count] : cases) {
+      {kSquare, RC_QUADS, 4}, {kSquare, RC_TRIANGLE_FAN, 4}, {strip, RC_TRIANGLE_STRIP, 4}, {pair, RC_TRIANGLES, 6}};
+  for (const auto &[vertices, mode, count] : cases) {
     useVertices(vertices);
     rcDrawArrays(mode, 0, count);
     rcFinish();

@@ -75,7 +75,7 @@ TEST_F(TexturePartTest, RowsBeginAtTheUnpackAlignment) {
   for (const auto &[alignment, rowBytes] : {std::pair{1, 9}, {2, 10}, {4, 12}, {8, 16}}) {
     std::vector<RCubyte> bytes(48, 255);
     for (int y = 0; y < 2; ++y) {
-      for (int i = 0; i < 9; ++i) bytes[size_t(y * rowBytes + i)] = RCubyte(10 * y + i);
+      for (int i = 0; i < 9; ++i) bytes[size_t(y) * size_t(rowBytes) + size_t(i)] = RCubyte(10 * y + i);
     }
     rcPixelStorei(RC_UNPACK_ALIGNMENT, alignment);
     rcTexSubImage2D(RC_TEXTURE_2D, 0, 5, 5, 3, 2, RC_RGB, kByte, bytes.data());

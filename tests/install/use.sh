@@ -24,6 +24,21 @@ expect "$scratch/consumer/framework_program"
 expect "$scratch/consumer/own_main"
 expect "$scratch/consumer/c_program"
 
+# its components, by name; one that does not exist is an error
+mkdir "$scratch/components"
+cat >"$scratch/components/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.22)
+project(Components C)
+find_package(RayCore REQUIRED COMPONENTS ${wanted})
+END
+components() {
+  rm -rf "$scratch/components/build"
+  cmake -S "$scratch/components" -B "$scratch/components/build" -DCMAKE_PREFIX_PATH="$prefix" -Dwanted="$1" "${@:2}"
+}
+components RayCoreAPI -DCMAKE_DISABLE_FIND_PACKAGE_X11=ON >/dev/null
+components "RayCoreAPI;RCFramework" >/dev/null
+if components Nonsense >/dev/null 2>&1; then exit 1; fi
+
 # pkg-config
 export PKG_CONFIG_PATH=$libdir/pkgconfig
 read -r -a flags <<<"$(pkg-config --cflags --libs raycore)"

@@ -112,7 +112,7 @@ void clientWaitSync(const Site &site) {
 void swapWithDamage(const Site &site) {
   void *display = site.world.handle(site.in), *surface = site.world.handle(site.in);
   const EGLint count = site.in.byte() % 8 - 2;
-  const std::unique_ptr<EGLint[]> rectangles(new EGLint[size_t(4 * std::max(count, 0))]);
+  const std::unique_ptr<EGLint[]> rectangles(new EGLint[size_t(4 * std::max(count, 1))]);
   for (EGLint i = 0; i < 4 * count; ++i) rectangles[size_t(i)] = site.in.integer();
   const auto function =
       reinterpret_cast<PFNEGLSWAPBUFFERSWITHDAMAGEKHRPROC>(eglGetProcAddress("eglSwapBuffersWithDamageKHR"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// surface.h: materials of files -> RayCore's Phong model with reflection and transmittance. docs/raycore/materials.md
+// surface.h: materials of files -> RayCore's Phong model with reflection and transmittance. docs/raycore/models.md
 // says what that keeps and what it cannot.
 #pragma once
 
