@@ -101,7 +101,7 @@ void addPalette(const State &state, ddk::DrawCall &call) {
 void draw(Context &context, ddk::Primitive primitive, const ddk::IndexView &indices) {
   const ArrayState &arrays = context.state.arrays;
   if (!arrays.vertex.enabled || hasNullPointer(arrays)) return context.noteEmptyDraw();
-  if (indices.count < 3) return;  // no primitive; the frame before stays
+  if (indices.count < 3) return;                       // no primitive; the frame before stays
   if (context.scene.drawEndsFrame()) context.touch();  // though there may be no memory for what is drawn
   ddk::GeometrySet &set = context.scene.target();
   ddk::DrawCall call{.primitive = primitive, .indices = indices};
@@ -160,9 +160,7 @@ void rcDrawElements(RCenum mode, RCsizei count, RCenum type, const RCvoid *indic
     const auto indexType = indexTypeOf(type);
     if (!primitive) return context.fail(RC_INVALID_ENUM, kUndrawnMode, mode);
     if (count < 0) return context.fail(RC_INVALID_VALUE, "count is %d, not 0 or more", count);
-    if (!indexType)
-      return context.fail(RC_INVALID_ENUM, "type 0x%04X is not RC_(UNSIGNED_)BYTE, _SHORT or _INT",
-                          type);
+    if (!indexType) return context.fail(RC_INVALID_ENUM, "type 0x%04X is not RC_(UNSIGNED_)BYTE, _SHORT or _INT", type);
     if (const auto view = indexView(context, *indexType, size_t(count), indices)) draw(context, *primitive, *view);
   });
 }
