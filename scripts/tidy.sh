@@ -14,6 +14,7 @@ bash scripts/setup.sh fuzz
 
 build=build/tidy  # a tree of its own: Clang cannot read GCC's precompiled headers
 cmake --preset release -B $build -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+cp tests/.clang-tidy $build/tests/  # sources that are joined lie there
 parts=$(IFS='|'; echo "${*:-.}")
 # Joined sources are in a file that includes them.
 mapfile -t files < <(sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' $build/compile_commands.json | grep -v '\.c$' | sort -u |
