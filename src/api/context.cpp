@@ -99,7 +99,6 @@ void Context::makePicture(const std::function<void()> &showIt) noexcept {
     show(showIt);
     mLost = false;
   } catch (const std::exception &) {  // whoever uses what it is made of is told
-    if (mOnItsWay) mOnItsWay->surface->failed();
   }
 }
 
@@ -144,7 +143,12 @@ void Context::abandonStaticScene() {
 }
 
 void Context::trace(Picture &picture) {
-  mDriver.trace(picture.frame, picture.build, picture.target, picture.stats);
+  try {
+    mDriver.trace(picture.frame, picture.build, picture.target, picture.stats);
+  } catch (...) {
+    picture.surface->failed();
+    throw;
+  }
   picture.surface->traced();
   report(picture);
 }
@@ -157,7 +161,6 @@ void Context::show(const std::function<void()> &show) {
 
 // It is asked for again.
 void Context::pictureFailed() {
-  if (mSurface) mSurface->failed();
   mTraced = mEnded = kNever;
   scene.abandonFrame();
 }

@@ -20,7 +20,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A window made a moment ago on another connection may not have reached the server yet.
+// A window made a moment ago on another connection may not have reached the server yet; a window manager takes its
+// time.
 constexpr auto kPatience = 1000ms, kPause = 5ms;
 
 using Connection = std::shared_ptr<X11Connection>;
@@ -112,12 +113,8 @@ class X11Platform final : public Platform {
   }
 
   std::unique_ptr<NativeDrawable> adoptWindow(EGLNativeWindowType window) override {
-    const auto deadline = std::chrono::steady_clock::now() + kPatience;
     XWindowAttributes attributes;
-    while (!attributesOf(window, attributes)) {
-      if (!mConnection->alive() || std::chrono::steady_clock::now() > deadline) return nullptr;
-      std::this_thread::sleep_for(kPause);
-    }
+    if (!comesTrue([&] { return attributesOf(window, attributes); })) return nullptr;
     if (attributes.c_class != InputOutput) return nullptr;  // shows nothing
     return std::make_unique<X11Drawable>(mConnection, window, masksOf(attributes), attributes.depth);
   }
@@ -148,6 +145,16 @@ class X11Platform final : public Platform {
   }
 
  private:
+  // Asks the server again and again, until it has lost our patience.
+  template <class Condition>
+  bool comesTrue(Condition &&condition) const {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (!condition()) {
+      if (!mConnection->alive() || std::chrono::steady_clock::now() > deadline) return false;
+      std::this_thread::sleep_for(kPause);
+    }
+    return true;
+  }
   ::Window mapWindow(Size size, Atom &deleteWindow) const {
     const ErrorTrap trap(*mConnection);
     if (!mConnection->alive()) return None;
@@ -164,10 +171,7 @@ class X11Platform final : public Platform {
   // What is put before it is mapped would be lost. A window manager may take its time, or never map it: the library's
   // other windows do not wait for that.
   void awaitMapped(::Window window) const {
-    const auto deadline = std::chrono::steady_clock::now() + kPatience;
-    while (!isMapped(window) && mConnection->alive() && std::chrono::steady_clock::now() < deadline) {
-      std::this_thread::sleep_for(kPause);
-    }
+    comesTrue([&] { return isMapped(window); });
     const ErrorTrap trap(*mConnection);
     if (mConnection->alive()) XSelectInput(mConnection->display(), window, KeyPressMask);
   }

@@ -123,15 +123,14 @@ class Assembler {
     const Corner *corners[3] = {&a, &b, &c};
     hal::HotTriangle triangle{
         a.position, b.position, c.position, mCall.material, mCall.flags & ~uint32_t{hal::kTangentFrame}, 0};
-    const Vec3 edges = glm::cross(b.position - a.position, c.position - a.position);
-    if (!isFinite(a.position + b.position + c.position) || !isFinite(edges)) return void(++mOut.skipped.notFinite);
-    // Without area as far as float can tell: the hit point would have no normal.
-    const float doubleArea = lengthOf(edges);
-    if (!(doubleArea > 0)) return void(++mOut.skipped.degenerate);
-    if (!std::isfinite(doubleArea)) return void(++mOut.skipped.notFinite);
-    const Vec3 front = frontOf(edges / doubleArea);
-
     hal::TriangleAttributes attributes{};
+    hal::setPlane(triangle, attributes);
+    const bool finite = isFinite(a.position + b.position + c.position) && std::isfinite(attributes.doubleArea);
+    if (!finite) return void(++mOut.skipped.notFinite);
+    // Without area as far as float can tell: the hit point would have no normal.
+    if (attributes.doubleArea == 0) return void(++mOut.skipped.degenerate);
+    const Vec3 front = frontOf(attributes.flatNormal);
+
     for (size_t i = 0; i < 3; ++i) {
       attributes.uv[i] = corners[i]->uv;
       attributes.color[i] = corners[i]->color;
@@ -139,10 +138,9 @@ class Assembler {
     if (mCall.colors.data) triangle.flags |= hal::kHasColors;
     if (mCall.flags & hal::kTangentFrame) {
       if (setTangentFrame(triangle, front, attributes)) triangle.flags |= hal::kTangentFrame;
-    } else if (mCall.normals.data && setNormals(corners, front, attributes)) {
+    } else if (mCall.normals.data && setNormals(corners, front, attributes.normal)) {
       triangle.flags |= hal::kHasNormals;
     }
-    hal::setPlane(triangle, attributes);
     mOut.triangles[mOut.count] = triangle;
     mOut.attributes[mOut.count] = attributes;
     ++mOut.count;
@@ -169,11 +167,11 @@ class Assembler {
   Vec3 frontOf(const Vec3 &flatNormal) const { return mCall.flags & hal::kClockwiseFront ? -flatNormal : flatNormal; }
 
   // False where no corner has a usable normal; a corner without one gets the flat normal.
-  static bool setNormals(const Corner *const (&corners)[3], const Vec3 &front, hal::TriangleAttributes &attributes) {
+  static bool setNormals(const Corner *const (&corners)[3], const Vec3 &front, Vec3 (&normals)[3]) {
     bool usable = false;
     for (size_t i = 0; i < 3; ++i) {
       const bool has = corners[i]->normal != Vec3(0);
-      attributes.normal[i] = has ? corners[i]->normal : front;
+      normals[i] = has ? corners[i]->normal : front;
       usable |= has;
     }
     return usable;
@@ -184,9 +182,9 @@ class Assembler {
   void completeNormals(Corner (&corners)[3]) const {
     const Vec3 edges = glm::cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position);
     const Corner *const all[3] = {&corners[0], &corners[1], &corners[2]};
-    hal::TriangleAttributes attributes;
-    if (!setNormals(all, frontOf(directionOf(edges, lengthOf(edges), Vec3(0))), attributes)) return;
-    for (size_t i = 0; i < 3; ++i) corners[i].normal = attributes.normal[i];
+    Vec3 normals[3];
+    if (!setNormals(all, frontOf(directionOf(edges, lengthOf(edges), Vec3(0))), normals)) return;
+    for (size_t i = 0; i < 3; ++i) corners[i].normal = normals[i];
   }
 
   // Directions in which s and t grow, and the front's normal; false where the texture coordinates span nothing.

@@ -40,6 +40,10 @@ struct alignas(32) BvhNode8 {
 
   float planes[3][2][kWidth];  // 192  by axis; lower, upper; a place without a child has an inverted infinite box
   uint32_t child[kWidth];      //  32  inner: an index of AccelView::bvhNodes; none: 0, the root, nobody's child
+
+  Bounds box(uint32_t i) const {
+    return {{planes[0][0][i], planes[1][0][i], planes[2][0][i]}, {planes[0][1][i], planes[1][1][i], planes[2][1][i]}};
+  }
 };
 static_assert(sizeof(BvhNode8) == 224);
 

@@ -60,7 +60,7 @@ inline constexpr float kSliver = 8;  // times longer than high
 inline constexpr float kSliverError = 8 * 0x1p-24f;
 inline constexpr float kMostOfEdge = 1.0f / 64;  // of what is thinner nobody sees more than specks
 
-// What else is known of a triangle that has an area: flatNormal, doubleArea, leastOffset.
+// What else is known of a triangle: flatNormal, doubleArea, leastOffset. Without an area it has no normal.
 inline void setPlane(HotTriangle &triangle, TriangleAttributes &attributes) {
   const Vec3 a = triangle.v1 - triangle.v0, b = triangle.v2 - triangle.v0, c = triangle.v2 - triangle.v1;
   const Vec3 edges = glm::cross(a, b);

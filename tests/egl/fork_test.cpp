@@ -33,6 +33,25 @@ class ForkedProgram : public SmallProgram {
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
+
+  // Runs body while so many threads, each with a context and a square surface of its own, call always(surface) over and
+  // over.
+  template <class Always, class Body>
+  void beside(int count, EGLint side, Always &&always, Body &&body) {
+    std::atomic<bool> end = false;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < count; ++i) {
+      threads.emplace_back([&] {
+        const EGLSurface surface = pbuffer(side, side);
+        ASSERT_TRUE(select({surface, context()}));
+        while (!end) always(surface);
+        ASSERT_TRUE(eglReleaseThread());
+      });
+    }
+    body();
+    end = true;
+    for (std::thread &thread : threads) thread.join();
+  }
 };
 
 TEST_F(ForkedProgram, TheChildDrawsWithTheContextItWasBornWith) {
@@ -69,39 +88,20 @@ TEST_F(ForkedProgram, TheChildEndsInOrder) {
 TEST_F(ForkedProgram, OtherThreadsMayDrawMeanwhile) {
   ASSERT_TRUE(select(drawable()));
   const Picture before = draw();
-  std::atomic<bool> end = false;
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 2; ++i) {
-    threads.emplace_back([&] {
-      ASSERT_TRUE(select(drawable()));
-      while (!end) EXPECT_EQ(draw(), before);
-      ASSERT_TRUE(eglReleaseThread());
-    });
-  }
-  for (int i = 0; i < 10; ++i) {
-    EXPECT_EQ(inChild([&] { return draw() == before; }), 0);
-  }
-  end = true;
-  for (std::thread &thread : threads) thread.join();
+  const auto drawAgain = [&](EGLSurface) { EXPECT_EQ(draw(), before); };
+  beside(2, kSide, drawAgain, [&] {
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(inChild([&] { return draw() == before; }), 0);
+  });
 }
 
 // They leave no moment in which none of them is in a call: fork() would wait for ever.
 TEST_F(ForkedProgram, OthersWhoNeverPauseLetItPass) {
   ASSERT_TRUE(select(drawable()));
   const Picture before = draw();
-  std::atomic<bool> end = false;
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 3; ++i) {
-    threads.emplace_back([&] {
-      const EGLSurface surface = pbuffer(300, 300);
-      ASSERT_TRUE(select({surface, context()}));
-      while (!end) eglSwapBuffers(mDisplay, surface);
-      ASSERT_TRUE(eglReleaseThread());
-    });
-  }
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(inChild([&] { return draw() == before; }), 0);
-  end = true;
-  for (std::thread &thread : threads) thread.join();
+  const auto swapAgain = [&](EGLSurface surface) { eglSwapBuffers(mDisplay, surface); };
+  beside(3, 300, swapAgain, [&] {
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(inChild([&] { return draw() == before; }), 0);
+  });
 }
 
 // main() returns while they draw.

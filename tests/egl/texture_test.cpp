@@ -89,7 +89,7 @@ TEST_F(Textures, APbufferIsSeenOnAQuadTheRightWayUp) {
   EXPECT_TRUE(eglBindTexImage(mDisplay, source, EGL_BACK_BUFFER));
 }
 
-TEST_F(Textures, APbufferThatAnotherThreadDrawsToDoesNotKeepStill) {
+TEST_F(Textures, APbufferThatAnotherThreadDrawsToIsRefused) {
   const EGLSurface source = texturable(mConfig, EGL_TEXTURE_RGB), target = pbuffer(32, 32);
   ASSERT_TRUE(eglMakeCurrent(mDisplay, source, source, context()));
   std::thread([&] {

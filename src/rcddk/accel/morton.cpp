@@ -64,7 +64,7 @@ Bounds boundsOf(std::span<const HotTriangle> triangles, const Workers &workers) 
 // else one triangle far away would put all the others into one.
 Bounds cellsOf(const Bounds &all, const Bounds &core) {
   const Vec3 around(maxComponent(core.size()));
-  return {glm::max(all.lower, core.lower - around), glm::min(all.upper, core.upper + around)};
+  return intersection(all, {core.lower - around, core.upper + around});
 }
 
 LargeVector<Coded> codesOf(std::span<const HotTriangle> triangles, const Bounds &bounds, const Workers &workers) {

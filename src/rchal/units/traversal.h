@@ -61,9 +61,8 @@ template <class Enter>
 int pushChildren(const BvhNode8 &node, Enter &&enter, BvhEntry *stack, int depth) {
   const int first = depth;
   for (uint32_t i = 0; i < BvhNode8::kWidth && node.child[i] != 0; ++i) {
-    const Vec3 lower{node.planes[0][0][i], node.planes[1][0][i], node.planes[2][0][i]};
-    const Vec3 upper{node.planes[0][1][i], node.planes[1][1][i], node.planes[2][1][i]};
-    const std::optional<float> met = enter(lower, upper);
+    const Bounds box = node.box(i);
+    const std::optional<float> met = enter(box.lower, box.upper);
     if (!met) continue;
     int place = depth++;
     for (; place > first && stack[place - 1].enter < *met; --place) stack[place] = stack[place - 1];
