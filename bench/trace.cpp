@@ -5,6 +5,7 @@
 // same rays, in turns; the median of the rounds. Rays are checked against the first tracer of the list.
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 #include "peers/report.h"
@@ -107,6 +108,11 @@ void measureScene(const Soup &soup, const Arguments &arguments, std::vector<Resu
 #ifdef RAYCORE_EMBREE
   addEmbree(soup, 2, arguments.who, tracers);
 #endif
+  if (tracers.empty()) {
+    std::fprintf(stderr,
+                 "nobody is left to be measured: --who names none of ours or of the peers found at build time\n");
+    std::exit(2);
+  }
   bool first = true;
   for (const auto &[width, height] : arguments.sizes) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);

@@ -14,6 +14,8 @@ build=build/coverage
 targets=(fuzz_api fuzz_accel fuzz_geometry fuzz_texture)
 tests=(api_test egl_test rcddi_test accel_test rchal_test clip_test base_test)
 # One instruction set: kernels compiled for others would count as lines that never run.
+# Paths are in what llvm-cov reads: no object may come from another tree.
+export CCACHE_DISABLE=1
 cmake --preset coverage -DCMAKE_CXX_FLAGS=-DHWY_COMPILE_ONLY_STATIC >/dev/null
 programs=("${targets[@]}")
 [ "${1:-}" != tests ] || programs+=("${tests[@]}")

@@ -113,4 +113,5 @@ def main():
         (folder / name).write_bytes(seed)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -73,7 +73,12 @@ void loadTexture(Steps &steps) {
   RCubyte texels[16 * 16 * 4];
   Spread random(steps.in.byte());
   for (RCubyte &texel : texels) texel = RCubyte(random.next());
-  const RCenum format = steps.in.flag() ? RC_RGBA : RC_RGB;
+  constexpr uint8_t kWithAlpha = 1, kSixteenths = 2;
+  const uint8_t kind = steps.in.byte();
+  const RCenum format = kind & kWithAlpha ? RC_RGBA : RC_RGB;
+  if (kind & kSixteenths) {
+    for (size_t alpha = 3; alpha < sizeof texels; alpha += 4) texels[alpha] %= 17;  // there in part: see opaqueAlpha
+  }
   rcEnable(RC_TEXTURE_2D);
   // 16 texels are a multiple of every alignment.
   rcTexImage2D(RC_TEXTURE_2D, 0, RCint(format), 16, 16, 0, format, RC_UNSIGNED_BYTE, texels);

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The raycore authors
+"""Nodes and triangles that one ray after the other meets in Embree's tree (HIGH), on the rays of bench/walks: callgrind
+counts how often the instructions run that test eight boxes, and four triangles.
+
+  embree_walks.py [--bench build/release/bench/trace] [--scenes DIR] [--size 200x120] scene...
+
+Where these instructions lie is known for Embree 3.13.5 of Debian 12, x86-64, with AVX2."""
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+LIBRARY = "libembree3.so.3.13.5"
+BUILD = "ce263e1a14b1dbde5b9d85e80cec8947a8f6411f"
+# In the kernel of single rays through nodes of eight: the first instruction of each.
+RAY, NODE, LEAF, FOUR_TRIANGLES = 0x19886D0, 0x198898C, 0x1988A5B, 0x1988B08
+WHAT = [RAY, NODE, LEAF, FOUR_TRIANGLES]
+KINDS = ["primary", "mirror", "diffuse"]
+
+
+def executions(lines):
+    """By address, of the library's instructions; the format is callgrind's (positions: instr)."""
+    counts, objects, inside, address, is_call = {}, {}, False, 0, False
+    for line in lines:
+        if name := re.match(r"(c?)ob=\((\d+)\)(?: (.*))?$", line):
+            if name[3]:
+                objects[name[2]] = name[3]
+            if not name[1]:
+                inside = objects[name[2]].endswith(LIBRARY)
+        elif line.startswith("calls="):
+            is_call = True
+        elif cost := re.match(r"(0x[0-9a-f]+|[+-]\d+|\*)(?: \S+)? (\d+)$", line):
+            at = cost[1]
+            address = address if at == "*" else int(at, 16) if at.startswith("0x") else address + int(at)
+            if inside and not is_call:
+                counts[address] = counts.get(address, 0) + int(cost[2])
+            is_call = False
+    return counts
+
+
+def counted(arguments, scene, kind):
+    with tempfile.NamedTemporaryFile("r") as out:
+        command = ["valgrind", "--tool=callgrind", "--dump-instr=yes", "--toggle-collect=*traceShare*",
+                   f"--callgrind-out-file={out.name}", arguments.bench, "--scenes", arguments.scenes, "--only", scene,
+                   "--size", arguments.size, "--rounds", "1", "--threads", "1", "--kind", kind, "--who", "=embree high"]
+        environment = {**os.environ, "RAYCORE_INSTRUCTION_SET": "avx2", "LD_LIBRARY_PATH": arguments.libraries}
+        run = subprocess.run(command, env=environment, capture_output=True, text=True)
+        if run.returncode != 0:
+            sys.exit(f"{' '.join(command)}\n{run.stdout}{run.stderr[-2000:]}")
+        counts = executions(line.rstrip("\n") for line in out)
+    return [counts.get(address, 0) for address in WHAT]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bench", default="build/release/bench/trace")
+    parser.add_argument("--scenes", default="../shared/scenes")
+    parser.add_argument("--size", default="200x120")
+    parser.add_argument("scene", nargs="+")
+    arguments = parser.parse_args()
+    helper = [pathlib.Path(__file__).with_name("valgrind_libraries.py"), arguments.bench,
+              pathlib.Path(arguments.bench).parent / "valgrind"]
+    arguments.libraries = subprocess.run(helper, capture_output=True, text=True, check=True).stdout.strip()
+    library = next(iter(re.findall(rf"=> (\S+{LIBRARY[:13]}\S*)",
+                                   subprocess.run(["ldd", arguments.bench], capture_output=True, text=True).stdout)), "")
+    notes = subprocess.run(["readelf", "-n", os.path.realpath(library)], capture_output=True, text=True).stdout
+    if BUILD not in notes:
+        sys.exit(f"this Embree ({library or 'none'}) is not the one whose instructions are known: {LIBRARY} of Debian 12")
+    print("| scene | rays | nodes of eight a ray | leaves | four triangles at a time |\n|---|---|---:|---:|---:|")
+    for scene in arguments.scene:
+        # The bench traces the rays of a kind twice; before those of others, the primary ones once.
+        primary = None
+        for kind in KINDS:
+            counts = counted(arguments, scene, kind)
+            if kind == "primary":
+                once = primary = [count // 3 for count in counts]
+            else:
+                once = [(count - first) // 2 for count, first in zip(counts, primary)]
+            print(f"| {scene} | {kind} | " + " | ".join(f"{count / once[0]:.2f}" for count in once[1:]) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
