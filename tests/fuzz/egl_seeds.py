@@ -95,7 +95,7 @@ def displays():
 
 def questions(first, way):
     buffer = call("rcBindBuffer", unsigned("RC_ARRAY_BUFFER"), unsigned(2))
-    buffer += call("rcBufferData", unsigned("RC_ARRAY_BUFFER"), b"\x01\x40", unsigned("RC_DYNAMIC_DRAW"), b"\x01")
+    buffer += call("rcBufferData", unsigned("RC_ARRAY_BUFFER"), b"\x01\x40", unsigned("RC_DYNAMIC_DRAW"), b"\x01\x01")
     buffer += call("rcBufferSubData", unsigned("RC_ARRAY_BUFFER"), b"\x01\x04", b"\x01\x08", b"\x01")
     return bytes(5) + bytes([IMAGE, 1, 0]) + buffer + DRAWN + DRAWN + b"".join(struct.pack("<BHB", ASK, first // 64 + page, way) for page in range(4))
 
