@@ -19,11 +19,8 @@ struct Counts {
   size_t nodes = 0, leaves = 0, triangles = 0;
 };
 
-// hal::nextHit's search, which counts.
-struct CountingSearch {
-  std::span<const hal::HotTriangle> all;
-  const hal::ShearedRay &ray;
-  hal::Hit &best;
+// A search that counts.
+struct CountingSearch : hal::NearestSearch {
   Counts &counts;
 
   void inner(const hal::BvhNode8 &) { ++counts.nodes; }
@@ -31,14 +28,7 @@ struct CountingSearch {
   bool operator()(std::span<const uint32_t> indices) {
     ++counts.leaves;
     counts.triangles += indices.size();
-    for (const uint32_t index : indices) {
-      hal::Hit hit;
-      if (!hal::intersectTriangle(ray, all[index], hit)) continue;
-      hit.primitive = index;
-      const hal::HitOrder order{hit.t, index};
-      if (hal::HitOrder{} < order && order < hal::HitOrder{best.t, best.primitive}) best = hit;
-    }
-    return false;
+    return NearestSearch::operator()(indices);
   }
 };
 
@@ -48,8 +38,10 @@ std::vector<FirstHit> walkAll(const hal::GeometryView &geometry, const RayBatch 
     const auto at = [&](int column) { return rays.column(column)[i]; };
     const hal::Ray ray{{at(0), at(1), at(2)}, {at(3), at(4), at(5)}};
     const hal::ShearedRay sheared(ray);
+    const hal::HitOrder none;
     hal::Hit best;
-    hal::walk(geometry, hal::TraversalRay(ray), best.t, CountingSearch{geometry.triangles, sheared, best, counts});
+    hal::walk(geometry, hal::TraversalRay(ray), best.t,
+              CountingSearch{{geometry.triangles, sheared, 0, none, best}, counts});
     hits.push_back({best.t, best.found() ? best.primitive : kMiss});
   }
   return hits;

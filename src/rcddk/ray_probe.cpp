@@ -11,13 +11,8 @@
 namespace rc::ddk {
 namespace {
 
-// hal::nextHit for one set of triangles, which counts.
-struct CountingSearch {
-  const hal::GeometryView &geometry;
-  const hal::ShearedRay &ray;
-  uint32_t base;
-  const hal::HitOrder &after;
-  hal::Hit &best;
+// A search that counts.
+struct CountingSearch : hal::NearestSearch {
   RayAnswer &answer;
 
   void inner(const hal::BvhNode8 &node) {
@@ -27,14 +22,7 @@ struct CountingSearch {
 
   bool operator()(std::span<const uint32_t> indices) {
     answer.triangles += static_cast<uint32_t>(indices.size());
-    for (const uint32_t index : indices) {
-      hal::Hit hit;
-      if (!hal::intersectTriangle(ray, geometry.triangles[index], hit)) continue;
-      hit.primitive = base + index;
-      const hal::HitOrder order{hit.t, hit.primitive};
-      if (after < order && order < hal::HitOrder{best.t, best.primitive}) best = hit;
-    }
-    return false;
+    return NearestSearch::operator()(indices);
   }
 };
 
@@ -44,7 +32,7 @@ hal::Hit nextCounted(const hal::SceneView &scene, const hal::Ray &ray, const hal
   hal::Hit best;
   uint32_t base = 0;
   for (const hal::GeometryView &geometry : scene.geometry) {
-    hal::walk(geometry, traversal, best.t, CountingSearch{geometry, sheared, base, after, best, answer});
+    hal::walk(geometry, traversal, best.t, CountingSearch{{geometry.triangles, sheared, base, after, best}, answer});
     base += static_cast<uint32_t>(geometry.triangles.size());
   }
   return best;

@@ -163,6 +163,26 @@ void walk(const GeometryView &geometry, const TraversalRay &ray, const float &tM
   }
 }
 
+// What a search for the nearest hit does with the leaves of one set of triangles, whose numbers begin at base.
+struct NearestSearch {
+  std::span<const HotTriangle> triangles;
+  const ShearedRay &ray;
+  uint32_t base;
+  const HitOrder &after;  // hits up to here do not count
+  Hit &best;
+
+  bool operator()(std::span<const uint32_t> indices) const {
+    for (const uint32_t index : indices) {
+      Hit hit;
+      if (!intersectTriangle(ray, triangles[index], hit)) continue;
+      hit.primitive = base + index;
+      const HitOrder order{hit.t, hit.primitive};
+      if (after < order && order < HitOrder{best.t, best.primitive}) best = hit;
+    }
+    return false;
+  }
+};
+
 // The first hit after `after` and not beyond tMax.
 inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after, float tMax) {
   const TraversalRay traversal(ray, after);
@@ -171,16 +191,7 @@ inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after
   best.t = tMax;
   uint32_t base = 0;
   for (const GeometryView &geometry : scene.geometry) {
-    walk(geometry, traversal, best.t, [&](std::span<const uint32_t> indices) {
-      for (const uint32_t index : indices) {
-        Hit hit;
-        if (!intersectTriangle(sheared, geometry.triangles[index], hit)) continue;
-        hit.primitive = base + index;
-        const HitOrder order{hit.t, hit.primitive};
-        if (after < order && order < HitOrder{best.t, best.primitive}) best = hit;
-      }
-      return false;
-    });
+    walk(geometry, traversal, best.t, NearestSearch{geometry.triangles, sheared, base, after, best});
     base += static_cast<uint32_t>(geometry.triangles.size());
   }
   return best.found() ? best : Hit{};
