@@ -5,8 +5,9 @@
 // good the tree is, whatever the kernels make of it. scripts/embree_walks.py counts Embree's on the same rays.
 #include <cstdio>
 
+#include "peers/raycore.h"
+#include "peers/rays.h"
 #include "peers/report.h"
-#include "peers/tracer.h"
 #include "rcddk/accel/builder.h"
 #include "rchal/units/traversal.h"
 
@@ -55,10 +56,7 @@ void report(const Soup &soup, Kind kind, const RayBatch &rays, const Counts &cou
 }
 
 void measureScene(const Soup &soup, std::pair<int, int> size) {
-  std::vector<hal::HotTriangle> triangles;
-  for (size_t i = 0; i < soup.vertices.size(); i += 3) {
-    triangles.push_back({soup.vertices[i], soup.vertices[i + 1], soup.vertices[i + 2], 0, 0, 0});
-  }
+  const std::vector<hal::HotTriangle> triangles = trianglesOf(soup);
   const ddk::Accel accel = ddk::buildAccel(AccelKind::Bvh, triangles, Workers(2), ddk::Lifetime::Scene);
   const hal::GeometryView geometry{triangles, {}, {}, accel.view(), false};
   const RayBatch primary = primaryRays(soup, size.first, size.second);

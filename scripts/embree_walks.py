@@ -66,8 +66,8 @@ def main():
     helper = [pathlib.Path(__file__).with_name("valgrind_libraries.py"), arguments.bench,
               pathlib.Path(arguments.bench).parent / "valgrind"]
     arguments.libraries = subprocess.run(helper, capture_output=True, text=True, check=True).stdout.strip()
-    library = next(iter(re.findall(rf"=> (\S+{LIBRARY[:13]}\S*)",
-                                   subprocess.run(["ldd", arguments.bench], capture_output=True, text=True).stdout)), "")
+    needed = subprocess.run(["ldd", arguments.bench], capture_output=True, text=True).stdout
+    library = (re.findall(r"=> (\S+/libembree3\.so\S*)", needed) or [""])[0]
     notes = subprocess.run(["readelf", "-n", os.path.realpath(library)], capture_output=True, text=True).stdout
     if BUILD not in notes:
         sys.exit(f"this Embree ({library or 'none'}) is not the one whose instructions are known: {LIBRARY} of Debian 12")
@@ -81,6 +81,8 @@ def main():
                 once = primary = [count // 3 for count in counts]
             else:
                 once = [(count - first) // 2 for count, first in zip(counts, primary)]
+            if once[0] == 0:
+                sys.exit("the kernel whose instructions are known did not run: this processor has no AVX2?")
             print(f"| {scene} | {kind} | " + " | ".join(f"{count / once[0]:.2f}" for count in once[1:]) + " |", flush=True)
 
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // raycore.cpp: ourselves as one of those who are measured, below the API: the kernels of the cpu device.
+#include "peers/raycore.h"
+
 #include "base/instruction_set.h"
 #include "base/settings.h"
 #include "peers/tracer.h"
@@ -10,7 +12,6 @@
 #include "rchal/queues.h"
 
 namespace rc::bench {
-namespace {
 
 std::vector<hal::HotTriangle> trianglesOf(const Soup &soup) {
   std::vector<hal::HotTriangle> triangles;
@@ -19,6 +20,8 @@ std::vector<hal::HotTriangle> trianglesOf(const Soup &soup) {
   }
   return triangles;
 }
+
+namespace {
 
 class RaycoreTracer final : public Tracer {
  public:
