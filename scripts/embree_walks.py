@@ -7,13 +7,13 @@ counts how often the instructions run that test eight boxes, and four triangles.
   embree_walks.py [--bench build/release/bench/trace] [--scenes DIR] [--size 200x120] scene...
 
 Where these instructions lie is known for Embree 3.13.5 of Debian 12, x86-64, with AVX2."""
-import argparse
 import os
-import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+
+from valgrind_libraries import bench_arguments, callgrind
 
 LIBRARY = "libembree3.so.3.13.5"
 BUILD = "ce263e1a14b1dbde5b9d85e80cec8947a8f6411f"
@@ -45,27 +45,13 @@ def executions(lines):
 
 def counted(arguments, scene, kind):
     with tempfile.NamedTemporaryFile("r") as out:
-        command = ["valgrind", "--tool=callgrind", "--dump-instr=yes", "--toggle-collect=*traceShare*",
-                   f"--callgrind-out-file={out.name}", arguments.bench, "--scenes", arguments.scenes, "--only", scene,
-                   "--size", arguments.size, "--rounds", "1", "--threads", "1", "--kind", kind, "--who", "=embree high"]
-        environment = {**os.environ, "RAYCORE_INSTRUCTION_SET": "avx2", "LD_LIBRARY_PATH": arguments.libraries}
-        run = subprocess.run(command, env=environment, capture_output=True, text=True)
-        if run.returncode != 0:
-            sys.exit(f"{' '.join(command)}\n{run.stdout}{run.stderr[-2000:]}")
+        callgrind(arguments, ["--dump-instr=yes", f"--callgrind-out-file={out.name}"], scene, kind, "=embree high")
         counts = executions(line.rstrip("\n") for line in out)
     return [counts.get(address, 0) for address in WHAT]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--bench", default="build/release/bench/trace")
-    parser.add_argument("--scenes", default="../shared/scenes")
-    parser.add_argument("--size", default="200x120")
-    parser.add_argument("scene", nargs="+")
-    arguments = parser.parse_args()
-    helper = [pathlib.Path(__file__).with_name("valgrind_libraries.py"), arguments.bench,
-              pathlib.Path(arguments.bench).parent / "valgrind"]
-    arguments.libraries = subprocess.run(helper, capture_output=True, text=True, check=True).stdout.strip()
+    arguments = bench_arguments(__doc__, "200x120")
     needed = subprocess.run(["ldd", arguments.bench], capture_output=True, text=True).stdout
     library = (re.findall(r"=> (\S+/libembree3\.so\S*)", needed) or [""])[0]
     notes = subprocess.run(["readelf", "-n", os.path.realpath(library)], capture_output=True, text=True).stdout

@@ -9,13 +9,11 @@ Valgrind 3.19 knows no AVX-512: both sides use AVX2 (and valgrind_libraries.py m
 Prints a Markdown table. Embree is built at its highest quality; the better of its two ways is shown.
 """
 
-import argparse
-import os
-import pathlib
 import re
 import subprocess
-import sys
 import tempfile
+
+from valgrind_libraries import bench_arguments, callgrind
 
 KINDS = ["primary", "shadow", "mirror", "diffuse"]
 SIDES = {"=raycore bvh": ["RaycoreTracer"], "embree high": ["Single", "Packets"]}
@@ -25,14 +23,8 @@ EVENTS = ["Ir", "Dr", "D1mr"]
 def counts(arguments, scene, kind, who):
     """What each tracer of a side did, by event, and the number of rays."""
     with tempfile.NamedTemporaryFile() as out:
-        command = ["valgrind", "--tool=callgrind", "--cache-sim=yes", "--toggle-collect=*traceShare*",
-                   f"--callgrind-out-file={out.name}", arguments.bench, "--scenes", arguments.scenes, "--only", scene,
-                   "--size", arguments.size, "--rounds", "1", "--threads", "1", "--kind", kind, "--who", who]
-        environment = {**os.environ, "RAYCORE_INSTRUCTION_SET": "avx2", "LD_LIBRARY_PATH": arguments.libraries}
-        run = subprocess.run(command, env=environment, capture_output=True, text=True)
-        found = re.search(r"of (\d+) rays", run.stdout)
-        if run.returncode != 0 or not found:
-            sys.exit(f"{' '.join(command)}\n{run.stdout}{run.stderr[-2000:]}")
+        said = callgrind(arguments, ["--cache-sim=yes", f"--callgrind-out-file={out.name}"], scene, kind, who)
+        rays = int(re.search(r"of (\d+) rays", said)[1])
         annotated = subprocess.run(["callgrind_annotate", "--inclusive=yes", "--threshold=100", f"--show={','.join(EVENTS)}",
                                     out.name], capture_output=True, text=True, check=True).stdout
     sums = {}
@@ -42,7 +34,7 @@ def counts(arguments, scene, kind, who):
             continue
         numbers = re.findall(r"([\d,]+) \(\s*[\d.]+%\)", line)
         sums[tracer[1]] = [int(number.replace(",", "")) for number in numbers[:len(EVENTS)]]
-    return sums, int(found[1])
+    return sums, rays
 
 
 def per_ray(arguments, scene, side, tracers):
@@ -64,15 +56,7 @@ def per_ray(arguments, scene, side, tracers):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--bench", default="build/release/bench/trace")
-    parser.add_argument("--scenes", default="../shared/scenes")
-    parser.add_argument("--size", default="800x480")
-    parser.add_argument("scene", nargs="+")
-    arguments = parser.parse_args()
-    helper = [pathlib.Path(__file__).with_name("valgrind_libraries.py"), arguments.bench,
-              pathlib.Path(arguments.bench).parent / "valgrind"]
-    arguments.libraries = subprocess.run(helper, capture_output=True, text=True, check=True).stdout.strip()
+    arguments = bench_arguments(__doc__, "800x480")
     print("| scene | rays | instructions | Embree | ratio | reads | Embree | misses of the first level | Embree |")
     print("|---|---|---:|---:|---:|---:|---:|---:|---:|")
     for scene in arguments.scene:
