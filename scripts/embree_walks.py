@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from valgrind_libraries import bench_arguments, callgrind
+from callgrind_bench import bench_arguments, rays_counted
 
 LIBRARY = "libembree3.so.3.13.5"
 BUILD = "ce263e1a14b1dbde5b9d85e80cec8947a8f6411f"
@@ -45,7 +45,7 @@ def executions(lines):
 
 def counted(arguments, scene, kind):
     with tempfile.NamedTemporaryFile("r") as out:
-        callgrind(arguments, ["--dump-instr=yes", f"--callgrind-out-file={out.name}"], scene, kind, "=embree high")
+        rays_counted(arguments, ["--dump-instr=yes", f"--callgrind-out-file={out.name}"], scene, kind, "=embree high")
         counts = executions(line.rstrip("\n") for line in out)
     return [counts.get(address, 0) for address in WHAT]
 

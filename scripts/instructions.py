@@ -13,7 +13,7 @@ import re
 import subprocess
 import tempfile
 
-from valgrind_libraries import bench_arguments, callgrind
+from callgrind_bench import bench_arguments, rays_counted
 
 KINDS = ["primary", "shadow", "mirror", "diffuse"]
 SIDES = {"=raycore bvh": ["RaycoreTracer"], "embree high": ["Single", "Packets"]}
@@ -23,8 +23,7 @@ EVENTS = ["Ir", "Dr", "D1mr"]
 def counts(arguments, scene, kind, who):
     """What each tracer of a side did, by event, and the number of rays."""
     with tempfile.NamedTemporaryFile() as out:
-        said = callgrind(arguments, ["--cache-sim=yes", f"--callgrind-out-file={out.name}"], scene, kind, who)
-        rays = int(re.search(r"of (\d+) rays", said)[1])
+        rays = rays_counted(arguments, ["--cache-sim=yes", f"--callgrind-out-file={out.name}"], scene, kind, who)
         annotated = subprocess.run(["callgrind_annotate", "--inclusive=yes", "--threshold=100", f"--show={','.join(EVENTS)}",
                                     out.name], capture_output=True, text=True, check=True).stdout
     sums = {}
