@@ -38,14 +38,13 @@ HWY_INLINE void clearQuarter(size_t quarter, TriangleLanes &triangles) {
   }
 }
 
-// Where the packets of the beam meet the box of a child. Returns whether one does.
-HWY_INLINE bool packetsMeet(const hal::BvhNode8 &node, uint32_t child, const Batch &batch, const Beam &beam,
+// Where the packets of the beam meet the box of a child; infinity if they do not.
+HWY_INLINE void meetPackets(const hal::BvhNode8 &node, uint32_t child, const Batch &batch, const Beam &beam,
                             const float *entered, float *near) {
   const D16 d;
   using V = hn::Vec<D16>;
   const auto &x = node.planes[batch.kx], &y = node.planes[batch.ky], &z = node.planes[batch.kz];
   const int front = batch.zSign < 0;
-  bool some = false;
   for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
     V lanes[kBounds];
     for (size_t k = 0; k < kBounds; ++k) lanes[k] = hn::Load(d, beam.bounds[k] + i);
@@ -57,13 +56,12 @@ HWY_INLINE bool packetsMeet(const hal::BvhNode8 &node, uint32_t child, const Bat
                     hn::Set(d, z[front][child] * batch.zSign + beam.zOffset),
                     hn::Set(d, z[!front][child] * batch.zSign + beam.zOffset)};
     const auto met = meets(d, box, lanes);
-    some |= !hn::AllFalse(d, met);
     hn::Store(hn::IfThenElse(met, box.near, hn::Set(d, kInfinity)), d, near + i);
   }
-  return some;
 }
 
-// The children that the beam meets: one test for all of them, then one for all packets.
+// Puts the children that the beam meets onto the stack, nearer ones later: one test for all of them, then one of each
+// for all packets. That none of these meets a child is so rare that it is left to be found out when it comes off again.
 HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 &node, const Batch &batch,
                                const Beam &beam, const float *entered, LanesEntry *stack, size_t depth) {
   const D8 d;
@@ -74,7 +72,7 @@ HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 
   const auto &x = node.planes[batch.kx], &y = node.planes[batch.ky], &z = node.planes[batch.kz];
   const int front = batch.zSign < 0;
   alignas(32) float keys[hal::BvhNode8::kWidth];
-  uint32_t bits = 0;
+  uint32_t met = 0;
   for (size_t i = 0; i < hal::BvhNode8::kWidth; i += hn::Lanes(d)) {
     BoxLanes<V> box{hn::Load(d, x[0] + i),
                     hn::Load(d, x[1] + i),
@@ -82,16 +80,17 @@ HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 
                     hn::Load(d, y[1] + i),
                     hn::MulAdd(hn::Load(d, z[front] + i), sign, offset),
                     hn::MulAdd(hn::Load(d, z[!front] + i), sign, offset)};
-    bits |= bitsOf(d, meets(d, box, lanes)) << i;
+    met |= bitsOf(d, meets(d, box, lanes)) << i;
     hn::Store(box.near, d, keys + i);
   }
-  ChildrenMet children;
-  while (bits) {
+  for (uint32_t bits = met; bits;) {
     const uint32_t child = nextBit(bits);
-    const bool met = packetsMeet(node, child, batch, beam, entered, children.near[child]);
-    children.met |= uint32_t(met) << child;
+    prefetch(accel, node.child[child]);
+    LanesEntry &entry = stack[depth + countBeneath(keys, met, child)];
+    entry.child = node.child[child];
+    meetPackets(node, child, batch, beam, entered, entry.near);
   }
-  return push(accel, node, children, keys, stack, depth);
+  return depth + hwy::PopCount(met);
 }
 
 // A bit for each of 16 packets and each of 16 triangles. Loops over all of a word foretell their end better than loops

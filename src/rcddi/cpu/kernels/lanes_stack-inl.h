@@ -35,12 +35,6 @@ struct alignas(64) LanesEntry {
   uint32_t child;      // as in BvhNode8
 };
 
-// Where the lanes meet the boxes of a node's children.
-struct alignas(64) ChildrenMet {
-  float near[hal::BvhNode8::kWidth][kLanes];
-  uint32_t met = 0;  // a bit for each child that some lane meets
-};
-
 // Lanes that have not yet got as far as `near`. No end of a lane is beyond kFarthest.
 HWY_INLINE uint32_t lanesBefore(const float *near, const float *end) {
   const D16 d;
@@ -58,24 +52,17 @@ HWY_INLINE void prefetch(const hal::AccelView &accel, uint32_t child) {
   for (int line = 0; line < 4; ++line) hwy::Prefetch(place + 64 * line);
 }
 
-// Puts the children that are met onto the stack, those with the least key last.
-HWY_INLINE size_t push(const hal::AccelView &accel, const hal::BvhNode8 &node, const ChildrenMet &children,
-                       const float (&keys)[hal::BvhNode8::kWidth], LanesEntry *stack, size_t depth) {
-  uint32_t order[hal::BvhNode8::kWidth];
-  size_t count = 0;
-  for (uint32_t met = children.met; met;) {
-    const uint32_t child = nextBit(met);
-    prefetch(accel, node.child[child]);
-    size_t place = count++;
-    for (; place > 0 && keys[order[place - 1]] < keys[child]; --place) order[place] = order[place - 1];
-    order[place] = child;
+// How many of the children whose bits are set lie beneath this one on a stack that has the least key on top.
+HWY_INLINE size_t countBeneath(const float (&keys)[hal::BvhNode8::kWidth], uint32_t bits, uint32_t child) {
+  const D8 d;
+  const auto key = hn::Set(d, keys[child]);
+  uint32_t greater = 0, equal = 0;
+  for (size_t i = 0; i < hal::BvhNode8::kWidth; i += hn::Lanes(d)) {
+    const auto others = hn::Load(d, keys + i);
+    greater |= bitsOf(d, hn::Gt(others, key)) << i;
+    equal |= bitsOf(d, hn::Eq(others, key)) << i;
   }
-  for (size_t k = 0; k < count; ++k) {
-    LanesEntry &entry = stack[depth++];
-    std::memcpy(entry.near, children.near[order[k]], sizeof entry.near);
-    entry.child = node.child[order[k]];
-  }
-  return depth;
+  return hwy::PopCount(bits & (greater | (equal & ((1u << child) - 1))));
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

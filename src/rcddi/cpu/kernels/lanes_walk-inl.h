@@ -23,7 +23,13 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 // bench/trace.
 constexpr size_t kFewRays = HWY_MAX_BYTES >= 64 ? 5 : 9;
 
-// Where the rays meet the boxes of the children. There is no branch on a single child: it cannot be foretold.
+// Where the rays meet the boxes of a node's children.
+struct alignas(64) ChildrenMet {
+  float near[hal::BvhNode8::kWidth][kLanes];  // infinity: the lane does not
+  uint32_t met = 0;                           // a bit for each child that some lane meets
+};
+
+// There is no branch on a single child: it cannot be foretold.
 HWY_INLINE ChildrenMet meetChildren(const hal::BvhNode8 &node, const SlabRays &rays, const float *entered,
                                     const float *end) {
   const D16 d;
@@ -55,6 +61,21 @@ HWY_INLINE ChildrenMet meetChildren(const hal::BvhNode8 &node, const SlabRays &r
     }
   }
   return out;
+}
+
+// Puts the children that are met onto the stack, nearest last, as one ray sees it.
+HWY_INLINE size_t push(const hal::AccelView &accel, const hal::BvhNode8 &node, const ChildrenMet &children, size_t ray,
+                       LanesEntry *stack, size_t depth) {
+  alignas(32) float keys[hal::BvhNode8::kWidth];
+  for (size_t i = 0; i < hal::BvhNode8::kWidth; ++i) keys[i] = children.near[i][ray];
+  for (uint32_t met = children.met; met;) {
+    const uint32_t child = nextBit(met);
+    prefetch(accel, node.child[child]);
+    LanesEntry &entry = stack[depth + countBeneath(keys, children.met, child)];
+    entry.child = node.child[child];
+    std::memcpy(entry.near, children.near[child], sizeof entry.near);
+  }
+  return depth + hwy::PopCount(children.met);
 }
 
 // How far the rays of a packet have still to look.
@@ -104,11 +125,7 @@ HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t pac
       std::memcpy(entered, at.near, sizeof entered);
       const hal::BvhNode8 &node = accel.bvhNodes[child];
       const ChildrenMet children = meetChildren(node, rays, entered, end);
-      // Nearest first, as the first ray sees it.
-      const size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero32(active);
-      float keys[hal::BvhNode8::kWidth];
-      for (size_t i = 0; i < hal::BvhNode8::kWidth; ++i) keys[i] = children.near[i][ray];
-      depth = push(accel, node, children, keys, stack, depth);
+      depth = push(accel, node, children, hwy::Num0BitsBelowLS1Bit_Nonzero32(active), stack, depth);
     }
   }
 }
