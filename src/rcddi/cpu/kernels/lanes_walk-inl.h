@@ -21,7 +21,7 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 // So many rays, or fewer, are walked one by one: more where side by side takes several vectors. Measured with
 // bench/trace.
-constexpr size_t kFewRays = HWY_MAX_BYTES >= 64 ? 5 : 9;
+constexpr size_t kFewRays = HWY_MAX_BYTES >= 64 ? 2 : 4;
 
 // Where the rays meet the boxes of a node's children.
 struct alignas(64) ChildrenMet {
@@ -64,10 +64,10 @@ HWY_INLINE ChildrenMet meetChildren(const hal::BvhNode8 &node, const SlabRays &r
 }
 
 // Puts the children that are met onto the stack, nearest last, as one ray sees it.
-HWY_INLINE size_t push(const hal::AccelView &accel, const hal::BvhNode8 &node, const ChildrenMet &children, size_t ray,
-                       LanesEntry *stack, size_t depth) {
+HWY_INLINE size_t push(const hal::AccelView &accel, const hal::BvhNode8 &node, const ChildrenMet &children,
+                       const SlabRay &ray, LanesEntry *stack, size_t depth) {
   alignas(32) float keys[hal::BvhNode8::kWidth];
-  for (size_t i = 0; i < hal::BvhNode8::kWidth; ++i) keys[i] = children.near[i][ray];
+  meets(node, ray, 0, keys);
   for (uint32_t met = children.met; met;) {
     const uint32_t child = nextBit(met);
     prefetch(accel, node.child[child]);
@@ -88,15 +88,6 @@ HWY_INLINE void setEnds(const Batch &batch, size_t packet, float *end) {
 }
 
 template <bool kAny>
-HWY_INLINE void goAlone(const Geometry &geometry, Batch &batch, const SlabRays &rays, size_t i, uint32_t child) {
-  if (child & hal::BvhNode8::kLeaf) {
-    intersectBlock<kAny>(geometry, geometry.view.accel.blocks[child & ~hal::BvhNode8::kLeaf], batch, i);
-  } else {
-    walkAlone<kAny>(geometry, batch, rays, i, child);
-  }
-}
-
-template <bool kAny>
 HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t packet) {
   const hal::AccelView &accel = geometry.view.accel;
   const size_t begin = packet * kPacketRays;
@@ -104,7 +95,6 @@ HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t pac
   SlabRays rays;
   setUp(batch, packet, rays);
   setEnds(batch, packet, end);
-  TriangleLanes triangles;
   LanesEntry stack[hal::kMaxBvhStack];
   for (size_t i = 0; i < kPacketRays; ++i) stack[0].near[i] = begin + i < batch.rays ? 0.0f : kInfinity;
   stack[0].child = 0;
@@ -113,19 +103,18 @@ HWY_NOINLINE void walkInLanes(const Geometry &geometry, Batch &batch, size_t pac
     uint32_t active = lanesBefore(at.near, end);
     if (!active) continue;
     const uint32_t child = at.child;
-    if (hwy::PopCount(active) <= kFewRays) {
-      while (active) goAlone<kAny>(geometry, batch, rays, begin + nextBit(active), child);
+    if (child & hal::BvhNode8::kLeaf) {
+      const hal::TriangleBlock4 &block = accel.blocks[child & ~hal::BvhNode8::kLeaf];
+      if (intersectBlock<kAny>(geometry, block, batch, packet, active)) setEnds(batch, packet, end);
+    } else if (hwy::PopCount(active) <= kFewRays) {
+      while (active) walkAlone<kAny>(geometry, batch, rays, begin + nextBit(active), child);
       setEnds(batch, packet, end);
-    } else if (child & hal::BvhNode8::kLeaf) {
-      const uint32_t lanes = addBlock(accel.blocks[child & ~hal::BvhNode8::kLeaf], batch, 0, triangles);
-      const bool changed = batch.common ? intersectPacket<kAny, true>(geometry, batch, triangles, lanes, packet)
-                                        : intersectPacket<kAny, false>(geometry, batch, triangles, lanes, packet);
-      if (changed) setEnds(batch, packet, end);
     } else {
       std::memcpy(entered, at.near, sizeof entered);
       const hal::BvhNode8 &node = accel.bvhNodes[child];
       const ChildrenMet children = meetChildren(node, rays, entered, end);
-      depth = push(accel, node, children, hwy::Num0BitsBelowLS1Bit_Nonzero32(active), stack, depth);
+      const SlabRay first(rays, hwy::Num0BitsBelowLS1Bit_Nonzero32(active));
+      depth = push(accel, node, children, first, stack, depth);
     }
   }
 }

@@ -10,8 +10,8 @@
 #define RAYCORE_KERNELS_SINGLE_INL
 #endif
 
+#include "rcddi/cpu/kernels/block-inl.h"
 #include "rcddi/cpu/kernels/lanes_stack-inl.h"
-#include "rcddi/cpu/kernels/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
@@ -105,71 +105,6 @@ HWY_INLINE uint32_t descend(const hal::AccelView &accel, const hal::BvhNode8 &no
   return nearest.child;
 }
 
-// What the test of a block finds; see packet-inl.h. Returns the lanes with a hit that may count.
-struct BlockHits {
-  alignas(16) float t[4], u[4], v[4];
-  uint32_t onEdge;  // lanes that the scalar unit decides
-};
-HWY_INLINE uint32_t testBlock(const hal::TriangleBlock4 &block, const Batch &batch, size_t ray, BlockHits &out) {
-  const D4 d;
-  using V = hn::Vec<D4>;
-  const V zero = hn::Zero(d);
-  uint32_t found = 0;
-  out.onEdge = 0;
-  for (size_t i = 0; i < hal::TriangleBlock4::kWidth; i += hn::Lanes(d)) {
-    Corner<V> corners[3];
-    for (int v = 0; v < 3; ++v) {
-      const float(&vertex)[3][4] = block.vertices[v];
-      const V x = hn::Sub(hn::Load(d, vertex[batch.kx] + i), hn::Set(d, batch.origin[batch.kx][ray]));
-      const V y = hn::Sub(hn::Load(d, vertex[batch.ky] + i), hn::Set(d, batch.origin[batch.ky][ray]));
-      const V z = hn::Sub(hn::Load(d, vertex[batch.kz] + i), hn::Set(d, batch.origin[batch.kz][ray]));
-      corners[v] = {hn::Sub(x, hn::Mul(hn::Set(d, batch.sx[ray]), z)),
-                    hn::Sub(y, hn::Mul(hn::Set(d, batch.sy[ray]), z)), z};
-    }
-    const auto &[a, b, c] = corners;
-    const V wa = hn::Sub(hn::Mul(c.x, b.y), hn::Mul(c.y, b.x));
-    const V wb = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
-    const V wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
-    const V least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
-    const auto inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
-    if (hn::AllFalse(d, inside)) continue;
-    const auto onEdge = hn::And(inside, hn::Or(hn::Eq(least, zero), hn::Eq(most, zero)));
-    const V scale = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(wa, wb), wc));
-    const V height = hn::Add(hn::Add(hn::Mul(wa, a.z), hn::Mul(wb, b.z)), hn::Mul(wc, c.z));
-    const V t = hn::Mul(hn::Mul(height, hn::Set(d, batch.sz[ray])), scale);
-    const auto near = hn::And(hn::Gt(t, zero), hn::Le(t, hn::Set(d, batch.t[ray])));
-    found |= bitsOf(d, hn::Or(onEdge, hn::And(inside, near))) << i;
-    out.onEdge |= bitsOf(d, onEdge) << i;
-    hn::Store(t, d, out.t + i);
-    hn::Store(hn::Mul(wb, scale), d, out.u + i);
-    hn::Store(hn::Mul(wc, scale), d, out.v + i);
-  }
-  return found;
-}
-
-// The triangles of a block. Returns whether the ray is blocked.
-template <bool kAny>
-HWY_INLINE bool intersectBlock(const Geometry &geometry, const hal::TriangleBlock4 &block, Batch &batch, size_t ray) {
-  BlockHits hits;
-  uint32_t found = testBlock(block, batch, ray, hits);
-  while (HWY_UNLIKELY(found)) {
-    const uint32_t lane = nextBit(found);
-    const uint32_t primitive = block.primitive[lane];
-    if (primitive == hal::TriangleBlock4::kNone) continue;
-    const hal::HotTriangle &triangle = geometry.view.triangles[primitive];
-    hal::Hit hit{hits.t[lane], hits.u[lane], hits.v[lane], 0};
-    const bool onEdge = hits.onEdge >> lane & 1;
-    if (onEdge && !hal::intersectTriangle(hal::ShearedRay(batch.ray(ray)), triangle, hit)) continue;
-    hit.primitive = geometry.base + primitive;
-    if constexpr (kAny) {
-      if (hit.t > 0 && hit.t < batch.t[ray] && blockRay(geometry, batch, ray, primitive, hit)) return true;
-    } else if (improves(batch, ray, hit)) {
-      record(batch, ray, hit);
-    }
-  }
-  return false;
-}
-
 template <bool kAny>
 HWY_NOINLINE void walkAlone(const Geometry &geometry, Batch &batch, const SlabRays &slabs, size_t i, uint32_t child) {
   const hal::AccelView &accel = geometry.view.accel;
@@ -187,7 +122,7 @@ HWY_NOINLINE void walkAlone(const Geometry &geometry, Batch &batch, const SlabRa
     }
     if (bits) {
       const hal::TriangleBlock4 &block = accel.blocks[child & ~hal::BvhNode8::kLeaf];
-      if (intersectBlock<kAny>(geometry, block, batch, i)) return;
+      if (intersectBlock<kAny>(geometry, block, batch, i) && kAny) return;
     }
     do {
       if (depth == 0) return;
