@@ -86,23 +86,15 @@ struct StackEntry {
 
 // Returns the nearest of the children whose bits are set, and puts the others onto the stack, nearer ones later.
 HWY_INLINE uint32_t descend(const hal::AccelView &accel, const hal::BvhNode8 &node, uint32_t bits,
-                            const float *distance, StackEntry *stack, size_t &depth) {
-  uint32_t lane = nextBit(bits);
-  if (HWY_LIKELY(!bits)) return node.child[lane];
-  StackEntry nearest{node.child[lane], distance[lane]};
-  const size_t first = depth;
-  do {
-    lane = nextBit(bits);
-    StackEntry other{node.child[lane], distance[lane]};
-    const bool swap = other.near < nearest.near;
-    const StackEntry farther = swap ? nearest : other;
-    nearest = swap ? other : nearest;
-    prefetch(accel, farther.child);
-    size_t place = depth++;
-    for (; place > first && stack[place - 1].near < farther.near; --place) stack[place] = stack[place - 1];
-    stack[place] = farther;
-  } while (bits);
-  return nearest.child;
+                            const float (&distance)[hal::BvhNode8::kWidth], StackEntry *stack, size_t &depth) {
+  if (HWY_LIKELY(!(bits & (bits - 1)))) return node.child[nextBit(bits)];
+  for (uint32_t rest = bits; rest;) {
+    const uint32_t lane = nextBit(rest);
+    prefetch(accel, node.child[lane]);
+    stack[depth + countBeneath(distance, bits, lane)] = {node.child[lane], distance[lane]};
+  }
+  depth += hwy::PopCount(bits) - 1;
+  return stack[depth].child;
 }
 
 template <bool kAny>
