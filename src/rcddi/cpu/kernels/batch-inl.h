@@ -51,12 +51,27 @@ struct alignas(64) Batch {
   size_t place(size_t i) const { return first + (inPlace ? i : index[i]); }  // in the stream
 };
 
-// The class of each ray, with the same comparisons as ShearedRay; -1 behind the last one. Returns whether all are the
-// same.
-HWY_INLINE bool classify(const RayStream &rays, size_t first, size_t count, int32_t *classes) {
+// The class of all rays; -1 if they have none in common, or if that is not easily seen.
+HWY_INLINE int commonClass(const RayStream &rays, size_t first, size_t count) {
+  const D16 d;
+  const auto size = [&](int axis) { return std::abs(rays.direction[axis][first]); };
+  const int axis = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
+  const float *along = rays.direction[axis] + first, *other = rays.direction[(axis + 1) % 3] + first;
+  const float *third = rays.direction[(axis + 2) % 3] + first;
+  const bool negative = along[0] < 0;
+  const auto sign = hn::Set(d, negative ? -1.0f : 1.0f);
+  auto least = hn::Set(d, kInfinity);
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto rest = hn::Max(hn::Abs(hn::LoadU(d, other + i)), hn::Abs(hn::LoadU(d, third + i)));
+    least = hn::Min(least, hn::MulSub(sign, hn::LoadU(d, along + i), rest));
+  }
+  return hn::AllTrue(d, hn::Gt(least, hn::Zero(d))) ? 2 * axis + negative : -1;
+}
+
+// The class of each ray, with the same comparisons as ShearedRay; -1 behind the last one.
+HWY_INLINE void classify(const RayStream &rays, size_t first, size_t count, int32_t *classes) {
   const D16 d;
   const hn::RebindToSigned<D16> di;
-  auto same = hn::Eq(hn::Zero(di), hn::Zero(di));
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     const auto x = hn::LoadU(d, rays.direction[0] + first + i), y = hn::LoadU(d, rays.direction[1] + first + i);
     const auto z = hn::LoadU(d, rays.direction[2] + first + i);
@@ -70,9 +85,7 @@ HWY_INLINE bool classify(const RayStream &rays, size_t first, size_t count, int3
         hn::IfThenElse(hn::RebindMask(di, hn::Lt(largest, hn::Zero(d))), hn::Set(di, 1), hn::Zero(di));
     const auto there = lanesUpTo(di, i, count);
     hn::StoreU(hn::IfThenElse(there, hn::Or(axis, negative), hn::Set(di, -1)), di, classes + i);
-    same = hn::And(same, hn::Eq(hn::LoadU(di, classes + i), hn::Set(di, classes[0])));
   }
-  return hn::AllTrue(di, same);
 }
 
 // Everything but the pointers to the columns and index. tMax: null for rays without end.
