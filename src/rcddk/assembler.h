@@ -96,18 +96,18 @@ class Assembler {
   }
 
   void addClipped(const Elements &elements, size_t first) {
-    Corner corners[3];
-    for (size_t i = 0; i < 3; ++i) corners[i] = corner(elements, i, first + i);
-    const bool finite = isFinite(corners[0].position + corners[1].position + corners[2].position);
-    if (mCall.clipPlanes.empty() || !finite) return addTriangle(corners[0], corners[1], corners[2]);
+    const Corner a = corner(elements, 0, first), b = corner(elements, 1, first + 1), c = corner(elements, 2, first + 2);
+    const bool finite = isFinite(a.position + b.position + c.position);
+    if (mCall.clipPlanes.empty() || !finite) return addTriangle(a, b, c);
+    Corner corners[3] = {a, b, c};
     if (mCall.normals.data) completeNormals(corners);
     const std::span<const Corner> left = mClipper.clip(corners, mCall.clipPlanes);
     if (left.empty()) ++mOut.skipped.clipped;
     for (size_t i = 2; i < left.size(); ++i) addTriangle(left[0], left[i - 1], left[i]);
   }
 
-  // Inlined with addTriangle: a corner that goes through memory is read there in other pieces than it was written in,
-  // which processors wait for.
+  // Inlined with addTriangle, as corners that are no array: one that goes through memory is read there in other pieces
+  // than it was written in, which processors wait for.
   [[gnu::always_inline]] Corner corner(const Elements &elements, size_t i, size_t column) const {
     const auto vector = [column](const float(&columns)[3][VertexColumns::kRoom]) {
       return Vec3(columns[0][column], columns[1][column], columns[2][column]);
@@ -119,30 +119,39 @@ class Assembler {
     return corner;
   }
 
+  // Written where it belongs; what is skipped is written over.
   [[gnu::always_inline]] void addTriangle(const Corner &a, const Corner &b, const Corner &c) {
-    const Corner *corners[3] = {&a, &b, &c};
-    hal::HotTriangle triangle{
-        a.position, b.position, c.position, mCall.material, mCall.flags & ~uint32_t{hal::kTangentFrame}, 0};
-    hal::TriangleAttributes attributes{};
-    hal::setPlane(triangle, attributes);
-    const bool finite = isFinite(a.position + b.position + c.position) && std::isfinite(attributes.doubleArea);
+    const hal::TrianglePlane plane = hal::planeOf(a.position, b.position, c.position);
+    const bool finite = isFinite(a.position + b.position + c.position) && std::isfinite(plane.doubleArea);
     if (!finite) return void(++mOut.skipped.notFinite);
     // Without area as far as float can tell: the hit point would have no normal.
-    if (attributes.doubleArea == 0) return void(++mOut.skipped.degenerate);
-    const Vec3 front = frontOf(attributes.flatNormal);
+    if (plane.doubleArea == 0) return void(++mOut.skipped.degenerate);
 
-    for (size_t i = 0; i < 3; ++i) {
-      attributes.uv[i] = corners[i]->uv;
-      attributes.color[i] = corners[i]->color;
-    }
-    if (mCall.colors.data) triangle.flags |= hal::kHasColors;
+    hal::HotTriangle &triangle = mOut.triangles[mOut.count];
+    hal::TriangleAttributes &attributes = mOut.attributes[mOut.count];
+    uint32_t flags = mCall.flags & ~uint32_t{hal::kTangentFrame};
+    if (mCall.colors.data) flags |= hal::kHasColors;
+    triangle.v0 = a.position;
+    triangle.v1 = b.position;
+    triangle.v2 = c.position;
+    triangle.material = mCall.material;
+    hal::setPlane(plane, triangle, attributes);
+    attributes.uv[0] = a.uv;
+    attributes.uv[1] = b.uv;
+    attributes.uv[2] = c.uv;
+    attributes.color[0] = a.color;
+    attributes.color[1] = b.color;
+    attributes.color[2] = c.color;
+    const Vec3 front = frontOf(plane.flatNormal);
+    attributes.normal[0] = normalOf(a, front);
+    attributes.normal[1] = normalOf(b, front);
+    attributes.normal[2] = normalOf(c, front);
     if (mCall.flags & hal::kTangentFrame) {
-      if (setTangentFrame(triangle, front, attributes)) triangle.flags |= hal::kTangentFrame;
-    } else if (mCall.normals.data && setNormals(corners, front, attributes.normal)) {
-      triangle.flags |= hal::kHasNormals;
+      if (setTangentFrame(triangle, front, attributes)) flags |= hal::kTangentFrame;
+    } else if (hasNormal(a) || hasNormal(b) || hasNormal(c)) {
+      flags |= hal::kHasNormals;
     }
-    mOut.triangles[mOut.count] = triangle;
-    mOut.attributes[mOut.count] = attributes;
+    triangle.flags = flags;
     ++mOut.count;
   }
 
@@ -166,25 +175,18 @@ class Assembler {
   // Of the side that rcFrontFace calls the front.
   Vec3 frontOf(const Vec3 &flatNormal) const { return mCall.flags & hal::kClockwiseFront ? -flatNormal : flatNormal; }
 
-  // False where no corner has a usable normal; a corner without one gets the flat normal.
-  static bool setNormals(const Corner *const (&corners)[3], const Vec3 &front, Vec3 (&normals)[3]) {
-    bool usable = false;
-    for (size_t i = 0; i < 3; ++i) {
-      const bool has = corners[i]->normal != Vec3(0);
-      normals[i] = has ? corners[i]->normal : front;
-      usable |= has;
-    }
-    return usable;
-  }
+  static bool hasNormal(const Corner &corner) { return corner.normal != Vec3(0); }
+  // A corner without a usable normal gets the flat one.
+  static Vec3 normalOf(const Corner &corner, const Vec3 &front) { return hasNormal(corner) ? corner.normal : front; }
 
   // Before a triangle is cut: each corner has its normal, so that the cut has what lies between them, at the length
   // that it has there, and what is left is shaded as it was.
   void completeNormals(Corner (&corners)[3]) const {
-    const Vec3 edges = glm::cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position);
-    const Corner *const all[3] = {&corners[0], &corners[1], &corners[2]};
-    Vec3 normals[3];
-    if (!setNormals(all, frontOf(directionOf(edges, lengthOf(edges), Vec3(0))), normals)) return;
-    for (size_t i = 0; i < 3; ++i) corners[i].normal = normals[i];
+    const auto &[a, b, c] = corners;
+    if (!hasNormal(a) && !hasNormal(b) && !hasNormal(c)) return;
+    const Vec3 edges = glm::cross(b.position - a.position, c.position - a.position);
+    const Vec3 front = frontOf(directionOf(edges, lengthOf(edges), Vec3(0)));
+    for (Corner &corner : corners) corner.normal = normalOf(corner, front);
   }
 
   // Directions in which s and t grow, and the front's normal; false where the texture coordinates span nothing.

@@ -60,17 +60,29 @@ inline constexpr float kSliver = 8;  // times longer than high
 inline constexpr float kSliverError = 8 * 0x1p-24f;
 inline constexpr float kMostOfEdge = 1.0f / 64;  // of what is thinner nobody sees more than specks
 
-// What else is known of a triangle: flatNormal, doubleArea, leastOffset. Without an area it has no normal.
-inline void setPlane(HotTriangle &triangle, TriangleAttributes &attributes) {
-  const Vec3 a = triangle.v1 - triangle.v0, b = triangle.v2 - triangle.v0, c = triangle.v2 - triangle.v1;
+// What else is known of a triangle. Without an area it has no normal.
+struct TrianglePlane {
+  Vec3 flatNormal;
+  float doubleArea, leastOffset;
+};
+inline TrianglePlane planeOf(const Vec3 &v0, const Vec3 &v1, const Vec3 &v2) {
+  const Vec3 a = v1 - v0, b = v2 - v0, c = v2 - v1;
   const Vec3 edges = glm::cross(a, b);
-  attributes.doubleArea = lengthOf(edges);
-  attributes.flatNormal = edges / attributes.doubleArea;
+  const float doubleArea = lengthOf(edges);
   const float longest = std::max(glm::dot(a, a), std::max(glm::dot(b, b), glm::dot(c, c)));
-  const float slenderness = longest / attributes.doubleArea;
-  triangle.leastOffset = slenderness > kSliver && longest < kInfinity
-                             ? std::sqrt(longest) * std::min(kSliverError * slenderness, kMostOfEdge)
-                             : 0;
+  const float slenderness = longest / doubleArea;
+  const bool sliver = slenderness > kSliver && longest < kInfinity;
+  return {edges / doubleArea, doubleArea,
+          sliver ? std::sqrt(longest) * std::min(kSliverError * slenderness, kMostOfEdge) : 0};
+}
+
+inline void setPlane(const TrianglePlane &plane, HotTriangle &triangle, TriangleAttributes &attributes) {
+  triangle.leastOffset = plane.leastOffset;
+  attributes.flatNormal = plane.flatNormal;
+  attributes.doubleArea = plane.doubleArea;
+}
+inline void setPlane(HotTriangle &triangle, TriangleAttributes &attributes) {
+  setPlane(planeOf(triangle.v0, triangle.v1, triangle.v2), triangle, attributes);
 }
 
 inline constexpr uint32_t kNamedMaterials = 512;
