@@ -204,6 +204,19 @@ TEST(FrameBvh, GivesTheSameHitsOnAnyNumberOfThreads) {
   EXPECT_GT(expectSame(hits, truth, "BVH of a frame"), 1000u);
 }
 
+TEST(FrameBvh, LeavesNothingOfTheTreeBefore) {
+  const Triangles triangles = knot(70), more = knot(90), few = knot(66);
+  const auto build = [](const Triangles &what, ddk::Accel old) {
+    return ddk::buildAccel(AccelKind::Bvh, what, Workers(2), ddk::Lifetime::Frame, std::move(old));
+  };
+  const ddk::Accel fresh = build(triangles, {});
+  for (const Triangles *before : {&more, &few}) {
+    const ddk::Accel again = build(triangles, build(*before, {}));
+    EXPECT_TRUE(sameBytes(fresh.bvhNodes, again.bvhNodes));
+    EXPECT_TRUE(sameBytes(fresh.blocks, again.blocks));
+  }
+}
+
 // 65 triangles in one place, eight times eight and one, take a node for each eight at each corner of a lattice.
 TEST(FrameBvh, MayHaveMoreNodesThanItReserves) {
   Triangles crowds;

@@ -31,13 +31,13 @@ constexpr size_t kFewTriangles = 8192;
 Accel buildAccel(AccelKind kind, std::span<const HotTriangle> triangles, const Workers &workers, Lifetime lifetime,
                  Accel old) {
   Accel accel;
-  accel.bvhNodes = std::move(old.bvhNodes);
-  accel.blocks = std::move(old.blocks);
-  accel.bvhNodes.clear();
-  accel.blocks.clear();
   accel.kind = kind;
   accel.triangles = triangles.size();
   if (triangles.empty()) return accel;
+  if (kind == AccelKind::Bvh) {  // what is there is written over
+    accel.bvhNodes = std::move(old.bvhNodes);
+    accel.blocks = std::move(old.blocks);
+  }
   sampleTriangles(triangles, accel);
   if (kind == AccelKind::KdTree) workers.run([&] { buildKdTree(triangles, accel); });
   if (kind == AccelKind::Bvh) {

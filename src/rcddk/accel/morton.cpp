@@ -3,10 +3,12 @@
 //
 // morton.cpp: a BVH for one frame: triangles sorted along a space-filling curve, nodes cut where its codes differ.
 // Lauterbach, Garland, Sengupta, Luebke, Manocha: "Fast BVH Construction on GPUs", Computer Graphics Forum 28(2), 2009.
+// The top of the tree comes first, then its subtrees on all cores: as parts, which are put behind each other.
 #include <array>
+#include <bit>
 
 #include "rcddk/accel/bvh_parts.h"
-#include "rcddk/accel/float4.h"
+#include "rcddk/accel/morton_codes.h"
 
 namespace rc::ddk {
 namespace {
@@ -15,113 +17,61 @@ using hal::BvhNode8;
 using hal::HotTriangle;
 using hal::TriangleBlock4;
 
-constexpr int kBitsAnAxis = 10;
-constexpr size_t kCodesATask = 4096;
+constexpr size_t kCodesAPart = 4096;
 // So short ranges are cut where leaves get full. Boxes are larger for it, but a third fewer: measured with bench/trace,
 // rays are as fast, and the tree takes 59 bytes a triangle instead of 83.
 constexpr size_t kFullLeaves = 64;
 
-struct Coded {
-  uint32_t code, primitive;
+// Of the sorted codes.
+struct Range {
+  size_t begin, end;
+
+  size_t size() const { return end - begin; }
 };
 
-// Puts two zeros between the bits.
-uint32_t spread(uint32_t x) {
-  x = (x | x << 16) & 0x030000ff;
-  x = (x | x << 8) & 0x0300f00f;
-  x = (x | x << 4) & 0x030c30c3;
-  return (x | x << 2) & 0x09249249;
-}
-
-// The box of a triangle without its margin; the fourth lanes are of no meaning.
-struct Box {
-  Float4 lower, upper;
+// What belongs together: nodes with the names of their children, as in BvhNode8, blocks with those of their triangles.
+// All are numbered within the part. A child with this bit is a part of its own, one of `others`.
+constexpr uint32_t kOther = 0x40000000;
+struct Part {
+  std::vector<std::array<uint32_t, BvhNode8::kWidth>> nodes;
+  std::vector<std::array<uint32_t, TriangleBlock4::kWidth>> blocks;
+  std::vector<Range> others;
 };
-Box boxOf(const HotTriangle &t) {
-  const auto *bytes = reinterpret_cast<const char *>(&t);
-  const Float4 a = load4(bytes), b = load4(bytes + sizeof(Vec3)), c = load4(bytes + 2 * sizeof(Vec3));
-  return {min(min(a, b), c), max(max(a, b), c)};
-}
 
-Bounds boundsOf(std::span<const HotTriangle> triangles, const Workers &workers) {
-  Array<Bounds> parts((triangles.size() + kCodesATask - 1) / kCodesATask);
-  workers.forEach(parts.size(), [&](size_t task, int) {
-    const size_t first = task * kCodesATask;
-    Box box = boxOf(triangles[first]);
-    for (const HotTriangle &t : triangles.subspan(first, std::min(kCodesATask, triangles.size() - first))) {
-      const Box other = boxOf(t);
-      box = {min(box.lower, other.lower), max(box.upper, other.upper)};
-    }
-    const Float4 lower = box.lower, upper = box.upper;
-    parts[task] = {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
-  });
-  Bounds all;
-  for (const Bounds &part : parts) all.add(part);
-  return all;
-}
-
-// What the cells divide: where most triangles are, and as far again around. What lies beyond is in the outermost cells:
-// else one triangle far away would put all the others into one.
-Bounds cellsOf(const Bounds &all, const Bounds &core) {
-  const Vec3 around(maxComponent(core.size()));
-  return intersection(all, {core.lower - around, core.upper + around});
-}
-
-LargeVector<Coded> codesOf(std::span<const HotTriangle> triangles, const Bounds &bounds, const Workers &workers) {
-  LargeVector<Coded> codes(triangles.size());
-  constexpr float kCells = 1 << kBitsAnAxis;
-  const Vec3 scale = 0.5f * kCells / glm::max(bounds.size(), Vec3(1e-30f)), origin = 2.0f * bounds.lower;
-  workers.forEach((codes.size() + kCodesATask - 1) / kCodesATask, [&](size_t task, int) {
-    const Float4 factor{scale.x, scale.y, scale.z, 0}, start{origin.x, origin.y, origin.z, 0};
-    for (size_t i = task * kCodesATask; i < std::min(codes.size(), (task + 1) * kCodesATask); ++i) {
-      const Box box = boxOf(triangles[i]);
-      const Float4 cell = min(max((box.lower + box.upper - start) * factor, all(0)), all(kCells - 1));
-      const auto bits = [&](int axis) { return spread(static_cast<uint32_t>(cell[axis])); };
-      codes[i] = {bits(0) << 2 | bits(1) << 1 | bits(2), static_cast<uint32_t>(i)};
-    }
-  });
-  return codes;
-}
-
-// By code, equal ones in the order they came in: least significant digits first.
-void sortByCode(LargeVector<Coded> &codes) {
-  constexpr size_t kDigit = 1 << kBitsAnAxis;
-  LargeVector<Coded> other(codes.size());
-  for (int shift = 0; shift < 3 * kBitsAnAxis; shift += kBitsAnAxis) {
-    std::array<uint32_t, kDigit + 1> places{};
-    for (const Coded &c : codes) ++places[(c.code >> shift) % kDigit + 1];
-    for (size_t i = 1; i < kDigit; ++i) places[i] += places[i - 1];
-    for (const Coded &c : codes) other[places[(c.code >> shift) % kDigit]++] = c;
-    codes.swap(other);
-  }
-}
-
-// What belongs together: nodes with the names of their children, blocks with those of their triangles. Boxes come
-// later.
-class MortonBuilder {
+class PartBuilder {
  public:
-  MortonBuilder(std::span<const Coded> codes, Accel &out) : mCodes(codes), mOut(out) {}
+  // left: so short ranges are left to other parts.
+  PartBuilder(std::span<const Coded> codes, size_t left, Part &out) : mCodes(codes), mLeft(left), mOut(out) {}
 
-  // Appends the subtree of codes [begin, end) and returns its node.
-  uint32_t node(size_t begin, size_t end) {
+  void reserve(size_t codes) {
+    mOut.nodes.reserve(codes / 12 + 8);
+    mOut.blocks.reserve(codes * 2 / 7 + 8);
+  }
+  // Appends the subtree of a range and returns its node.
+  uint32_t node(const Range &range) {
     size_t borders[BvhNode8::kWidth + 1];
-    const uint32_t count = divide(begin, end, borders);
-    const auto place = static_cast<uint32_t>(mOut.bvhNodes.size());
-    mOut.bvhNodes.emplace_back();
-    for (uint32_t i = 0; i < BvhNode8::kWidth; ++i) {
-      const uint32_t child = i < count ? subtree(borders[i], borders[i + 1]) : 0;
-      setChild(mOut.bvhNodes[place], i, Bounds(), child);  // only now: the subtree may have moved the nodes
+    const uint32_t count = divide(range.begin, range.end, borders);
+    const size_t place = mOut.nodes.size();
+    mOut.nodes.emplace_back();
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t child = subtree({borders[i], borders[i + 1]});
+      mOut.nodes[place][i] = child;  // only now: the subtree may have moved the nodes
     }
-    return place;
+    return static_cast<uint32_t>(place);
   }
 
  private:
-  uint32_t subtree(size_t begin, size_t end) {
-    if (end - begin > TriangleBlock4::kWidth) return node(begin, end);
-    TriangleBlock4 &block = mOut.blocks.emplace_back();
-    for (size_t lane = 0; lane < TriangleBlock4::kWidth; ++lane) {
-      block.primitive[lane] = begin + lane < end ? mCodes[begin + lane].primitive : TriangleBlock4::kNone;
-    }
+  uint32_t subtree(const Range &range) {
+    if (range.size() <= TriangleBlock4::kWidth) return leaf(range);
+    if (range.size() > mLeft) return node(range);
+    mOut.others.push_back(range);
+    return static_cast<uint32_t>(mOut.others.size() - 1) | kOther;
+  }
+
+  uint32_t leaf(const Range &range) {
+    auto &primitives = mOut.blocks.emplace_back();
+    primitives.fill(TriangleBlock4::kNone);
+    for (size_t i = 0; i < range.size(); ++i) primitives[i] = mCodes[range.begin + i].primitive;
     return static_cast<uint32_t>(mOut.blocks.size() - 1) | BvhNode8::kLeaf;
   }
 
@@ -165,17 +115,61 @@ class MortonBuilder {
   }
 
   std::span<const Coded> mCodes;
-  Accel &mOut;
+  size_t mLeft;
+  Part &mOut;
 };
+
+// The first one is the top of the tree; behind it lie its others.
+std::vector<Part> partsOf(std::span<const Coded> codes, const Workers &workers) {
+  std::vector<Part> parts(1);
+  PartBuilder(codes, kCodesAPart, parts[0]).node({0, codes.size()});
+  const std::vector<Range> ranges = parts[0].others;
+  parts.resize(1 + ranges.size());
+  workers.forEach(ranges.size(), [&](size_t i, int) {
+    PartBuilder part(codes, 0, parts[1 + i]);
+    part.reserve(ranges[i].size());
+    part.node(ranges[i]);
+  });
+  return parts;
+}
+
+// Where the nodes and blocks of a part begin in the whole tree.
+struct PartPlace {
+  uint32_t node = 0, block = 0;
+};
+
+void putPart(const Part &part, const PartPlace &place, std::span<const PartPlace> others, Accel &out) {
+  const auto nameOf = [&](uint32_t child) {
+    if (child & BvhNode8::kLeaf) return child + place.block;
+    return child & kOther ? others[child & ~kOther].node : child + place.node;
+  };
+  for (size_t n = 0; n < part.nodes.size(); ++n) {
+    for (uint32_t i = 0; i < BvhNode8::kWidth; ++i) {
+      const uint32_t child = part.nodes[n][i];
+      setChild(out.bvhNodes[place.node + n], i, Bounds(), child ? nameOf(child) : 0);
+    }
+  }
+  for (size_t b = 0; b < part.blocks.size(); ++b) {
+    std::ranges::copy(part.blocks[b], out.blocks[place.block + b].primitive);
+  }
+}
 
 }  // namespace
 
 void buildMorton(std::span<const HotTriangle> triangles, const Workers &workers, Accel &accel) {
-  LargeVector<Coded> codes = codesOf(triangles, cellsOf(boundsOf(triangles, workers), accel.core), workers);
-  sortByCode(codes);
-  accel.bvhNodes.reserve(triangles.size() / 12 + 8);
-  accel.blocks.reserve(triangles.size() * 2 / 7 + 8);
-  MortonBuilder(codes, accel).node(0, codes.size());
+  const LargeVector<Coded> codes = sortedCodes(triangles, accel.core, workers);
+  const std::vector<Part> parts = partsOf(codes, workers);
+  std::vector<PartPlace> places;
+  PartPlace end;
+  for (const Part &part : parts) {
+    places.push_back(end);
+    end.node += static_cast<uint32_t>(part.nodes.size());
+    end.block += static_cast<uint32_t>(part.blocks.size());
+  }
+  accel.bvhNodes.resize(end.node);
+  accel.blocks.resize(end.block);
+  workers.forEach(parts.size(),
+                  [&](size_t i, int) { putPart(parts[i], places[i], std::span(places).subspan(1), accel); });
   fit(triangles, workers, accel);
 }
 
