@@ -181,10 +181,7 @@ HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &be
                      HWY_ATTR { return seenByRays(geometry, triangles, outlines, batch, slopes, packet, triangle); });
   }
   pairs.keepIf([&](size_t packet, size_t triangle) HWY_ATTR {
-    bool hit = false;
-    for (size_t i = 0; i < kPacketRays; i += hn::Lanes(D16())) {
-      hit |= intersectTriangle<kAny, kCommon>(geometry, batch, triangles, triangle, packet * kPacketRays + i);
-    }
+    const bool hit = intersectPacket<kAny, kCommon>(geometry, batch, triangles, triangle, packet);
     changed |= uint32_t(hit) << packet;
     return false;
   });

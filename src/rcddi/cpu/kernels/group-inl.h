@@ -185,24 +185,24 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
   Batch batch;
   batch.first = first;
   batch.filters = filters;
-  const int rayClass = count % kPacketRays == 0 ? commonClass(rays, first, count) : -1;
-  batch.inPlace = rayClass >= 0;
+  const int common = count % kPacketRays == 0 ? commonClass(rays, first, count) : -1;
+  batch.inPlace = common >= 0;
   if (batch.inPlace) {
     for (int axis = 0; axis < 3; ++axis) {
       batch.origin[axis] = rays.origin[axis] + first;
       batch.direction[axis] = rays.direction[axis] + first;
     }
     batch.from = rays.from ? rays.from + first : nullptr;
-    setUp<kAny>(batch, count, rayClass, tMax ? tMax + first : nullptr);
+    setUp<kAny>(batch, count, common, tMax ? tMax + first : nullptr);
     return traceClass<kAny>(scene, batch, hits, blocked);
   }
   alignas(64) int32_t classes[kBatchRays];
   classify(rays, first, count, classes);
   alignas(64) float tColumn[kRoom];
-  for (int some = 0; some < int(kClasses); ++some) {
-    const size_t n = gather(rays, classes, count, some, tMax, tColumn, batch);
+  for (int rayClass = 0; rayClass < int(kClasses); ++rayClass) {
+    const size_t n = gather(rays, classes, count, rayClass, tMax, tColumn, batch);
     if (n == 0) continue;
-    setUp<kAny>(batch, n, some, tMax ? tColumn : nullptr);
+    setUp<kAny>(batch, n, rayClass, tMax ? tColumn : nullptr);
     traceClass<kAny>(scene, batch, hits, blocked);
   }
 }

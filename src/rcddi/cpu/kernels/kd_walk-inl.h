@@ -113,7 +113,7 @@ HWY_INLINE void intersectLeaf(const Geometry &geometry, std::span<const uint32_t
   TriangleLanes triangles;
   for (const uint32_t primitive : primitives) {
     setTriangle<kCommon>(geometry, batch, primitive, triangles);
-    intersectPacket<kAny, kCommon>(geometry, batch, triangles, 1, packet);
+    intersectPacket<kAny, kCommon>(geometry, batch, triangles, 0, packet);
   }
 }
 

@@ -52,7 +52,8 @@ HWY_INLINE void prefetch(const hal::AccelView &accel, uint32_t child) {
   for (int line = 0; line < 4; ++line) hwy::Prefetch(place + 64 * line);
 }
 
-// How many of the children whose bits are set lie beneath this one on a stack that has the least key on top.
+// How many of the children whose bits are set lie beneath this one on a stack that has the least key on top. Theirs are
+// numbers.
 HWY_INLINE size_t countBeneath(const float (&keys)[hal::BvhNode8::kWidth], uint32_t bits, uint32_t child) {
   const D8 d;
   const auto key = hn::Set(d, keys[child]);

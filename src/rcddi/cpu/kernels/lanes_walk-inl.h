@@ -67,7 +67,7 @@ HWY_INLINE ChildrenMet meetChildren(const hal::BvhNode8 &node, const SlabRays &r
 HWY_INLINE size_t push(const hal::AccelView &accel, const hal::BvhNode8 &node, const ChildrenMet &children,
                        const SlabRay &ray, LanesEntry *stack, size_t depth) {
   alignas(32) float keys[hal::BvhNode8::kWidth];
-  meets(node, ray, 0, keys);
+  meets(node, ray, 0, keys);  // at whatever distance
   for (uint32_t met = children.met; met;) {
     const uint32_t child = nextBit(met);
     prefetch(accel, node.child[child]);

@@ -186,17 +186,13 @@ HWY_INLINE bool intersectTriangle(const Geometry &geometry, Batch &batch, const 
   return true;
 }
 
-// The triangles whose bits are set against a packet. Returns whether a ray has got a better hit, or is blocked.
+// One triangle against a packet. Returns whether a ray has got a better hit, or is blocked.
 template <bool kAny, bool kCommon>
-HWY_INLINE bool intersectPacket(const Geometry &geometry, Batch &batch, const TriangleLanes &triangles, uint32_t lanes,
+HWY_INLINE bool intersectPacket(const Geometry &geometry, Batch &batch, const TriangleLanes &triangles, size_t lane,
                                 size_t packet) {
-  const D16 d;
   bool changed = false;
-  while (lanes) {
-    const uint32_t lane = nextBit(lanes);
-    for (size_t i = 0; i < kPacketRays; i += hn::Lanes(d)) {
-      changed |= intersectTriangle<kAny, kCommon>(geometry, batch, triangles, lane, packet * kPacketRays + i);
-    }
+  for (size_t i = 0; i < kPacketRays; i += hn::Lanes(D16())) {
+    changed |= intersectTriangle<kAny, kCommon>(geometry, batch, triangles, lane, packet * kPacketRays + i);
   }
   return changed;
 }
