@@ -82,9 +82,8 @@ class RaycoreBuilder : public Builder {
  protected:
   // The vertices are read where they moved: that is part of the work of a frame here.
   void readVertices() {
-    constexpr size_t kShare = 4096;
-    mWorkers.forEach((mTriangles.size() + kShare - 1) / kShare, [&](size_t task, int) {
-      for (size_t i = task * kShare; i < std::min(mTriangles.size(), (task + 1) * kShare); ++i) {
+    forEachShare(mWorkers, mTriangles.size(), 4096, [&](size_t, size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
         mTriangles[i].v0 = mSoup.vertices[3 * i];
         mTriangles[i].v1 = mSoup.vertices[3 * i + 1];
         mTriangles[i].v2 = mSoup.vertices[3 * i + 2];

@@ -4,6 +4,7 @@
 // parallel.h: work on several threads. The only code that knows oneTBB is parallel.cpp.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -29,6 +30,13 @@ class Workers {
   struct Impl;
   std::shared_ptr<Impl> mImpl;
 };
+
+// Calls body(share, begin, end) for each share of [0, count), which has `size` items; the last one may have fewer.
+template <class Body>
+void forEachShare(const Workers &workers, size_t count, size_t size, Body &&body) {
+  workers.forEach((count + size - 1) / size,
+                  [&](size_t share, int) { body(share, share * size, std::min(count, (share + 1) * size)); });
+}
 
 // A job that is done beside what the caller goes on with, by a set of threads.
 class Background {

@@ -97,8 +97,7 @@ class Assembler {
 
   void addClipped(const Elements &elements, size_t first) {
     const Corner a = corner(elements, 0, first), b = corner(elements, 1, first + 1), c = corner(elements, 2, first + 2);
-    const bool finite = isFinite(a.position + b.position + c.position);
-    if (mCall.clipPlanes.empty() || !finite) return addTriangle(a, b, c);
+    if (mCall.clipPlanes.empty() || !isFinite(a.position + b.position + c.position)) return addTriangle(a, b, c);
     Corner corners[3] = {a, b, c};
     if (mCall.normals.data) completeNormals(corners);
     const std::span<const Corner> left = mClipper.clip(corners, mCall.clipPlanes);

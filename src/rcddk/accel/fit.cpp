@@ -62,8 +62,7 @@ Bounds fillBlock(std::span<const HotTriangle> triangles, TriangleBlock4 &block) 
 void fit(std::span<const HotTriangle> triangles, const Workers &workers, Accel &accel) {
   LargeVector<BvhNode8> &nodes = accel.bvhNodes;
   std::vector<Array<uint32_t>> left((nodes.size() + kNodesATask - 1) / kNodesATask);
-  workers.forEach(left.size(), [&](size_t task, int) {
-    const size_t first = task * kNodesATask, end = std::min(nodes.size(), first + kNodesATask);
+  forEachShare(workers, nodes.size(), kNodesATask, [&](size_t task, size_t first, size_t end) {
     std::array<bool, kNodesATask> done{};
     for (size_t n = end; n-- > first;) {
       done[n - first] = true;

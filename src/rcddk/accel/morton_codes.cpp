@@ -36,10 +36,9 @@ Box boxOf(const HotTriangle &t) {
 
 Bounds boundsOf(std::span<const HotTriangle> triangles, const Workers &workers) {
   Array<Bounds> parts((triangles.size() + kCodesATask - 1) / kCodesATask);
-  workers.forEach(parts.size(), [&](size_t task, int) {
-    const size_t first = task * kCodesATask;
-    Box box = boxOf(triangles[first]);
-    for (const HotTriangle &t : triangles.subspan(first, std::min(kCodesATask, triangles.size() - first))) {
+  forEachShare(workers, triangles.size(), kCodesATask, [&](size_t task, size_t begin, size_t end) {
+    Box box = boxOf(triangles[begin]);
+    for (const HotTriangle &t : triangles.subspan(begin, end - begin)) {
       const Box other = boxOf(t);
       box = {min(box.lower, other.lower), max(box.upper, other.upper)};
     }
@@ -62,9 +61,9 @@ LargeVector<Coded> codesOf(std::span<const HotTriangle> triangles, const Bounds 
   LargeVector<Coded> codes(triangles.size());
   constexpr float kCells = 1 << kBitsAnAxis;
   const Vec3 scale = 0.5f * kCells / glm::max(bounds.size(), Vec3(1e-30f)), origin = 2.0f * bounds.lower;
-  workers.forEach((codes.size() + kCodesATask - 1) / kCodesATask, [&](size_t task, int) {
+  forEachShare(workers, codes.size(), kCodesATask, [&](size_t, size_t begin, size_t end) {
     const Float4 factor{scale.x, scale.y, scale.z, 0}, start{origin.x, origin.y, origin.z, 0};
-    for (size_t i = task * kCodesATask; i < std::min(codes.size(), (task + 1) * kCodesATask); ++i) {
+    for (size_t i = begin; i < end; ++i) {
       const Box box = boxOf(triangles[i]);
       const Float4 cell = min(max((box.lower + box.upper - start) * factor, all(0)), all(kCells - 1));
       const auto bits = [&](int axis) { return spread(static_cast<uint32_t>(cell[axis])); };
@@ -81,9 +80,8 @@ void sortByCode(LargeVector<Coded> &codes, const Workers &workers) {
   std::vector<std::array<uint32_t, kDigits>> places((codes.size() + kShare - 1) / kShare);
   for (int shift = 0; shift < 3 * kBitsAnAxis; shift += kBitsAnAxis) {
     const auto forEachCode = [&](auto &&visit) {
-      workers.forEach(places.size(), [&](size_t task, int) {
-        const size_t first = task * kShare, end = std::min(codes.size(), first + kShare);
-        for (size_t i = first; i < end; ++i) visit(codes[i], places[task][(codes[i].code >> shift) % kDigits]);
+      forEachShare(workers, codes.size(), kShare, [&](size_t task, size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) visit(codes[i], places[task][(codes[i].code >> shift) % kDigits]);
       });
     };
     for (auto &counts : places) counts.fill(0);

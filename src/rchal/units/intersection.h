@@ -13,6 +13,12 @@
 
 namespace rc::hal {
 
+// The axis along which a direction is longest.
+inline int mainAxis(const Vec3 &direction) {
+  const Vec3 a = glm::abs(direction);
+  return a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
+}
+
 // A ray with what all its triangle tests share: the axis permutation and shear that turn its direction into +z.
 struct ShearedRay {
   Vec3 origin;
@@ -21,8 +27,7 @@ struct ShearedRay {
 
   explicit ShearedRay(const Ray &ray) : origin(ray.origin) {
     const Vec3 d = ray.direction;
-    const Vec3 a = glm::abs(d);
-    kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
+    kz = mainAxis(d);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
     if (d[kz] < 0) std::swap(kx, ky);  // keeps the winding

@@ -54,8 +54,7 @@ struct alignas(64) Batch {
 // The class of all rays; -1 if they have none in common, or if that is not easily seen.
 HWY_INLINE int commonClass(const RayStream &rays, size_t first, size_t count) {
   const D16 d;
-  const auto size = [&](int axis) { return std::abs(rays.direction[axis][first]); };
-  const int axis = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
+  const int axis = hal::mainAxis({rays.direction[0][first], rays.direction[1][first], rays.direction[2][first]});
   const float *along = rays.direction[axis] + first, *other = rays.direction[(axis + 1) % 3] + first;
   const float *third = rays.direction[(axis + 2) % 3] + first;
   const bool negative = along[0] < 0;
