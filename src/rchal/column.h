@@ -55,17 +55,6 @@ class Column {
     if (mSize == mCapacity) reserve(mSize + kSlack);
     mValues[mSize++] = value;
   }
-  // Takes the last ones of another column; what this one held is dropped.
-  void takeLast(size_t count, Column &from) {
-    const size_t first = from.mSize - count;
-    if (first == 0) {
-      swap(from);
-    } else {
-      resize(count);
-      std::copy_n(from.data() + first, count, data());
-    }
-    from.mSize = first;
-  }
 
  private:
   void swap(Column &other) noexcept {

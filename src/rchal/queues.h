@@ -8,22 +8,27 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "rchal/column.h"
+#include "rchal/column_block.h"
 #include "rchal/device.h"
 
 namespace rc::hal {
 
 // A column of vectors: three columns of floats, so that lanes can be loaded without shuffling.
-struct Vec3Column {
-  Column<float> x, y, z;
+template <class Floats>
+struct Vec3ColumnOf {
+  Floats x, y, z;
 
-  void push(const Vec3 &value) {
-    x.push_back(value.x);
-    y.push_back(value.y);
-    z.push_back(value.z);
+  void set(size_t i, const Vec3 &value) {
+    x[i] = value.x;
+    y[i] = value.y;
+    z[i] = value.z;
   }
   Vec3 operator[](size_t i) const { return {x[i], y[i], z[i]}; }
 };
+using Vec3Column = Vec3ColumnOf<Column<float>>;
+using FloatsOfQueue = BlockColumn<float>;
+using NumbersOfQueue = BlockColumn<uint32_t>;
+using VectorsOfQueue = Vec3ColumnOf<FloatsOfQueue>;
 
 // A ray on its way to the traversal unit, and what its result counts for.
 struct RayItem {
@@ -40,27 +45,29 @@ struct RayItem {
 };
 
 // Rays that were reflected and refracted equally often.
-struct RayQueue {
-  Vec3Column origin, direction, weight;
-  Column<float> afterT;
-  Column<uint32_t> afterPrimitive, afterSeen, layers;
-  Column<float> coneWidth, coneSpread, travelled, tolerance;
-  Column<uint32_t> pixel;
+class RayQueue : public ColumnBlock<RayQueue> {
+ public:
+  VectorsOfQueue origin, direction, weight;
+  FloatsOfQueue afterT;
+  NumbersOfQueue afterPrimitive, afterSeen, layers;
+  FloatsOfQueue coneWidth, coneSpread, travelled, tolerance;
+  NumbersOfQueue pixel;
 
-  size_t size() const { return pixel.size(); }
   void push(const RayItem &item) {
-    origin.push(item.ray.origin);
-    direction.push(item.ray.direction);
-    weight.push(item.weight);
-    afterT.push_back(item.after.t);
-    afterPrimitive.push_back(item.after.primitive);
-    afterSeen.push_back(item.afterSeen);
-    layers.push_back(item.layers);
-    coneWidth.push_back(item.coneWidth);
-    coneSpread.push_back(item.coneSpread);
-    travelled.push_back(item.travelled);
-    tolerance.push_back(item.tolerance);
-    pixel.push_back(item.pixel);
+    const size_t i = size();
+    resize(i + 1);
+    origin.set(i, item.ray.origin);
+    direction.set(i, item.ray.direction);
+    weight.set(i, item.weight);
+    afterT[i] = item.after.t;
+    afterPrimitive[i] = item.after.primitive;
+    afterSeen[i] = item.afterSeen;
+    layers[i] = item.layers;
+    coneWidth[i] = item.coneWidth;
+    coneSpread[i] = item.coneSpread;
+    travelled[i] = item.travelled;
+    tolerance[i] = item.tolerance;
+    pixel[i] = item.pixel;
   }
   RayItem operator[](size_t i) const {
     return {.ray = ray(i),
@@ -77,21 +84,9 @@ struct RayQueue {
   Ray ray(size_t i) const { return {origin[i], direction[i]}; }
   HitOrder after(size_t i) const { return {afterT[i], afterPrimitive[i]}; }
 
-  void reserve(size_t count) {
-    forEachColumn([&](auto &column) { column.reserve(count); }, *this);
-  }
-  void resize(size_t size) {
-    forEachColumn([&](auto &column) { column.resize(size); }, *this);
-  }
-  // Moves the last `count` items to `taken`, in their order; what that held is dropped.
-  void takeLast(size_t count, RayQueue &taken) {
-    forEachColumn([&](auto &from, auto &to) { to.takeLast(count, from); }, *this, taken);
-  }
-
- private:
   template <class Visit, class... Queues>
   static void forEachColumn(Visit &&visit, Queues &...queues) {
-    for (auto column : {&Vec3Column::x, &Vec3Column::y, &Vec3Column::z}) {
+    for (auto column : {&VectorsOfQueue::x, &VectorsOfQueue::y, &VectorsOfQueue::z}) {
       visit(queues.origin.*column...);
       visit(queues.direction.*column...);
       visit(queues.weight.*column...);
@@ -118,41 +113,36 @@ struct ShadowItem {
 };
 
 // The questions about one light.
-struct ShadowQueue {
-  Vec3Column origin, direction, colour;
-  Column<float> distance;
-  Column<uint32_t> pixel, from;
+class ShadowQueue : public ColumnBlock<ShadowQueue> {
+ public:
+  VectorsOfQueue origin, direction, colour;
+  FloatsOfQueue distance;
+  NumbersOfQueue pixel, from;
 
-  size_t size() const { return pixel.size(); }
   void push(const ShadowItem &item) {
-    origin.push(item.ray.origin);
-    direction.push(item.ray.direction);
-    colour.push(item.colour);
-    distance.push_back(item.distance);
-    pixel.push_back(item.pixel);
-    from.push_back(item.from);
+    const size_t i = size();
+    resize(i + 1);
+    origin.set(i, item.ray.origin);
+    direction.set(i, item.ray.direction);
+    colour.set(i, item.colour);
+    distance[i] = item.distance;
+    pixel[i] = item.pixel;
+    from[i] = item.from;
   }
   ShadowItem operator[](size_t i) const {
     return {{origin[i], direction[i]}, distance[i], colour[i], pixel[i], from[i]};
   }
-  void reserve(size_t count) {
-    forEachColumn([&](auto &column) { column.reserve(count); });
-  }
-  void resize(size_t size) {
-    forEachColumn([&](auto &column) { column.resize(size); });
-  }
 
- private:
-  template <class Visit>
-  void forEachColumn(Visit &&visit) {
-    for (auto column : {&Vec3Column::x, &Vec3Column::y, &Vec3Column::z}) {
-      visit(origin.*column);
-      visit(direction.*column);
-      visit(colour.*column);
+  template <class Visit, class... Queues>
+  static void forEachColumn(Visit &&visit, Queues &...queues) {
+    for (auto column : {&VectorsOfQueue::x, &VectorsOfQueue::y, &VectorsOfQueue::z}) {
+      visit(queues.origin.*column...);
+      visit(queues.direction.*column...);
+      visit(queues.colour.*column...);
     }
-    visit(distance);
-    visit(pixel);
-    visit(from);
+    visit(queues.distance...);
+    visit(queues.pixel...);
+    visit(queues.from...);
   }
 };
 

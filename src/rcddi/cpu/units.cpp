@@ -11,7 +11,7 @@ using namespace rc::hal;
 
 namespace {
 
-RayStream streamOf(const Vec3Column &origin, const Vec3Column &direction, size_t count) {
+RayStream streamOf(const VectorsOfQueue &origin, const VectorsOfQueue &direction, size_t count) {
   return {{origin.x.data(), origin.y.data(), origin.z.data()},
           {direction.x.data(), direction.y.data(), direction.z.data()},
           count};

@@ -78,11 +78,11 @@ RC_STEP V3 normalizedOr(const V3 &v, const V3 &fallback) {
 }
 
 // The items of a column from `first` on. Columns have room for a vector behind their end.
-HWY_INLINE F load(const hal::Column<float> &column, size_t first) { return hn::LoadU(FTag(), column.data() + first); }
-HWY_INLINE U load(const hal::Column<uint32_t> &column, size_t first) {
+HWY_INLINE F load(const hal::FloatsOfQueue &column, size_t first) { return hn::LoadU(FTag(), column.data() + first); }
+HWY_INLINE U load(const hal::NumbersOfQueue &column, size_t first) {
   return hn::LoadU(UTag(), column.data() + first);
 }
-HWY_INLINE V3 load(const hal::Vec3Column &column, size_t first) {
+HWY_INLINE V3 load(const hal::VectorsOfQueue &column, size_t first) {
   return {load(column.x, first), load(column.y, first), load(column.z, first)};
 }
 
@@ -124,13 +124,13 @@ RC_STEP void loadRow(const float *const (&places)[kMostLanes], size_t offset, F 
 }
 
 // Packs the lanes of a mask together behind the end of a column that has room for all.
-HWY_INLINE void append(F value, M mask, size_t end, hal::Column<float> &column) {
+HWY_INLINE void append(F value, M mask, size_t end, hal::FloatsOfQueue &column) {
   hn::StoreU(packed(FTag(), value, mask), FTag(), column.data() + end);
 }
-HWY_INLINE void append(U value, M mask, size_t end, hal::Column<uint32_t> &column) {
+HWY_INLINE void append(U value, M mask, size_t end, hal::NumbersOfQueue &column) {
   hn::StoreU(packed(UTag(), value, hn::RebindMask(UTag(), mask)), UTag(), column.data() + end);
 }
-HWY_INLINE void append(const V3 &value, M mask, size_t end, hal::Vec3Column &column) {
+HWY_INLINE void append(const V3 &value, M mask, size_t end, hal::VectorsOfQueue &column) {
   append(value.x, mask, end, column.x);
   append(value.y, mask, end, column.y);
   append(value.z, mask, end, column.z);

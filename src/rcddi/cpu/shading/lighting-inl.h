@@ -59,7 +59,7 @@ RC_STEP size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, 
   append(distance, asked, end, queue.distance);
   append(rays.pixel, asked, end, queue.pixel);
   append(rays.primitive, asked, end, queue.from);
-  queue.pixel.resize(end + count);
+  queue.resize(end + count);
   return count;
 }
 

@@ -45,7 +45,7 @@ HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile,
     } else {
       direction = directionOf(inWindow - before, direction);
     }
-    const auto store = [&](const V3 &value, hal::Vec3Column &column) HWY_ATTR {
+    const auto store = [&](const V3 &value, hal::VectorsOfQueue &column) HWY_ATTR {
       hn::StoreU(value.x, d, &column.x[i]);
       hn::StoreU(value.y, d, &column.y[i]);
       hn::StoreU(value.z, d, &column.z[i]);

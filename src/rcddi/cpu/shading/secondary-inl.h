@@ -31,7 +31,7 @@ RC_STEP size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight,
   hn::StoreU(zero(), FTag(), queue.afterT.data() + end);
   hn::StoreU(hn::Set(UTag(), hal::kNoPrimitive), UTag(), queue.afterPrimitive.data() + end);
   hn::StoreU(hn::Zero(UTag()), UTag(), queue.afterSeen.data() + end);
-  queue.pixel.resize(end + count);
+  queue.resize(end + count);
   return count;
 }
 

@@ -192,13 +192,6 @@ HWY_INLINE void makeRoom(const Shading &shading) {
   for (size_t i = 0; i < shading.scene.lights.size(); ++i) out.shadows[i].reserve(out.shadows[i].size() + count);
 }
 
-// While a batch is shaded, the column of pixels alone tells how long a queue is: it has eleven or more.
-HWY_INLINE void settle(const Shading &shading) {
-  const hal::Outputs &out = shading.out;
-  for (hal::RayQueue *queue : {&out.nextBounce, &out.sameBounce}) queue->resize(queue->size());
-  for (size_t i = 0; i < shading.scene.lights.size(); ++i) out.shadows[i].resize(out.shadows[i].size());
-}
-
 // Starts to fetch so many bytes, wherever in a cache line they begin.
 HWY_INLINE void prefetch(const void *what, size_t size) {
   const auto *bytes = static_cast<const char *>(what);
@@ -231,7 +224,6 @@ HWY_INLINE void shadeBatch(const Shading &shading) {
   makeRoom(shading);
   prefetchTriangles(shading);
   for (size_t first = 0; first < shading.rays.size(); first += lanes()) shadeVector(shading, first);
-  settle(shading);
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
