@@ -124,7 +124,7 @@ Workers::Workers(int threads)
 
 int Workers::threads() const { return mImpl->count; }
 
-void Workers::forEach(size_t count, const std::function<void(size_t i, int worker)> &body) const {
+void Workers::forEach(size_t count, const std::function<void(size_t i, int worker)> &body, size_t together) const {
   if (threadsAreGone()) {
     for (size_t i = 0; i < count; ++i) body(i, 0);
     return;
@@ -132,10 +132,9 @@ void Workers::forEach(size_t count, const std::function<void(size_t i, int worke
   Handover handover;
   handover.give();
   const Handover::Wait wait(handover);
-  // One index a task: tiles differ in cost, and stealing single ones keeps all threads busy to the end.
   const auto spread = [&] {
     tbb::parallel_for(
-        tbb::blocked_range<size_t>(0, count, 1),
+        tbb::blocked_range<size_t>(0, count, together),
         [&](const tbb::blocked_range<size_t> &range) {
           const Handover::Task task(handover);
           const FloatMode mode;

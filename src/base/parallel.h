@@ -21,7 +21,8 @@ class Workers {
   int threads() const;
   // Calls body(i, worker) for each i in [0, count), worker in [0, threads()): no two calls that run at the
   // same time have the same worker. Returns when all are done; an exception of a body is thrown here.
-  void forEach(size_t count, const std::function<void(size_t i, int worker)> &body) const;
+  // together: so many that follow each other, at most, are handed to a thread at once.
+  void forEach(size_t count, const std::function<void(size_t i, int worker)> &body, size_t together = 1) const;
   // Runs body inside this set of threads; both() inside it is then spread over them.
   void run(const std::function<void()> &body) const;
 

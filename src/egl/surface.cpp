@@ -7,15 +7,6 @@ namespace {
 
 constexpr uint32_t kBlack = 0xff000000u;
 
-// What is left of a colour in a buffer of 5, 6 and 5 bits; the upper bits are repeated, so that full stays full.
-uint32_t roundTo565(uint32_t rgba) {
-  const auto keep = [&](int shift, int bits) {
-    const uint32_t top = (rgba >> shift & 255) >> (8 - bits) << (8 - bits);
-    return (top | top >> bits) << shift;
-  };
-  return keep(0, 5) | keep(8, 6) | keep(16, 5) | (rgba & kBlack);
-}
-
 }  // namespace
 
 Surface::Surface(const Config &config, EGLint kind, const SurfaceAttributes &initial, Size size,
@@ -50,7 +41,7 @@ hal::Target Surface::backBuffer() {
 hal::Target Surface::picture() {
   const Size size = mSize;
   if (mPixels.empty()) mPixels.assign(size_t(size.width) * size_t(size.height), kBlack);
-  return {mPixels.data(), size.width, size.height};
+  return {mPixels.data(), size.width, size.height, mConfig.red == 5};
 }
 
 void Surface::asked() {
@@ -58,9 +49,6 @@ void Surface::asked() {
 }
 
 void Surface::traced() {
-  if (mConfig.red == 5) {
-    for (uint32_t &pixel : mPixels) pixel = roundTo565(pixel);
-  }
   if (showsAtOnce()) {
     mSwapped = true;
     present();

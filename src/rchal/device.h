@@ -19,6 +19,7 @@ namespace rc::hal {
 struct Target {
   uint32_t *pixels = nullptr;
   int width = 0, height = 0;
+  bool rgb565 = false;  // colours are rounded to 5, 6 and 5 bits
 };
 
 // Seconds of all workers together, by unit; only where the frame is to be measured.

@@ -14,6 +14,11 @@ inline uint32_t packColour(const Rgb &colour) {
   return byte(colour.x) | byte(colour.y) << 8 | byte(colour.z) << 16 | 0xff000000u;
 }
 
+// What is left of a colour in a buffer of 5, 6 and 5 bits; the upper bits are repeated, so that full stays full.
+inline uint32_t roundTo565(uint32_t rgba) {
+  return (rgba & 0xfff8fcf8u) | (rgba >> 5 & 0x00070007u) | (rgba >> 6 & 0x00000300u);
+}
+
 // The pixel of a column and a row counted from the bottom.
 inline uint32_t &pixelAt(const Target &target, int column, int row) {
   return target.pixels[size_t(target.height - 1 - row) * size_t(target.width) + size_t(column)];

@@ -49,8 +49,11 @@ struct ScalarUnits {
     }
   }
   // The bytes of each pixel.
-  static void pack(const PixelSums &sums, size_t count, float share, uint32_t *bytes) {
-    for (size_t i = 0; i < count; ++i) bytes[i] = packColour(sums[i] * share);
+  static void pack(const PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
+    for (size_t i = 0; i < count; ++i) {
+      const uint32_t colour = packColour(sums[i] * share);
+      bytes[i] = rgb565 ? roundTo565(colour) : colour;
+    }
   }
 };
 
@@ -75,6 +78,7 @@ class TileTracer {
  private:
   void traceTile(const SceneView &scene, const Tile &tile, const Target &target) {
     mPixels.arrange(tile.columns, tile.rows);
+    prefetch(tile, target);
     mQueues.resize(std::max(mQueues.size(), size_t(scene.maxBounces) + 2));
     mShadows.resize(std::max(mShadows.size(), scene.lights.size()));
     if (scene.samples == 1) {
@@ -85,6 +89,11 @@ class TileTracer {
       traceSamples(scene, tile);
     }
     timed(scene, &UnitTimes::store, [&] { store(scene, tile, target); });
+  }
+
+  // The lines that the picture will be written to.
+  static void prefetch(const Tile &tile, const Target &target) {
+    for (int row = 0; row < tile.rows; ++row) __builtin_prefetch(&pixelAt(target, tile.column, tile.row + row), 1);
   }
 
   void dropRays() {
@@ -172,7 +181,7 @@ class TileTracer {
   void store(const SceneView &scene, const Tile &tile, const Target &target) {
     mBytes.resize(mPixels.size());
     mUnits.pack((scene.samples == 1 ? mSum : mPicture).view(), mPixels.size(), 1.0f / static_cast<float>(scene.samples),
-                mBytes.data());
+                target.rgb565, mBytes.data());
     if (scene.writeMask == ~0u && tile.columns % TilePixels::kBlock == 0) return storeRows(tile, target);
     for (size_t i = 0; i < mPixels.size(); ++i) {
       uint32_t &pixel = pixelAt(target, tile.column + mPixels.column[i], tile.row + mPixels.row[i]);

@@ -30,12 +30,14 @@ class CpuDevice final : public Device {
     const PixelRect part = tracedPart(scene, target);
     const int across = (part.columns + kTileSize - 1) / kTileSize, down = (part.rows + kTileSize - 1) / kTileSize;
     for (TileTracer<CpuUnits> &tracer : mTracers) tracer.resetCounts();
-    mWorkers.forEach(size_t(across) * size_t(down), [&](size_t i, int worker) {
+    const size_t tiles = size_t(across) * size_t(down);
+    const auto trace = [&](size_t i, int worker) {
       const int column = int(i) % across * kTileSize, row = int(i) / across * kTileSize;
       const Tile tile{part.column + column, part.row + row, std::min(kTileSize, part.columns - column),
                       std::min(kTileSize, part.rows - row)};
       mTracers[size_t(worker)].trace(scene, tile, target);
-    });
+    };
+    mWorkers.forEach(tiles, trace, tilesTogether(tiles));
     RayCounts counts;
     for (const TileTracer<CpuUnits> &tracer : mTracers) counts += tracer.counts();
     return counts;
@@ -58,6 +60,13 @@ class CpuDevice final : public Device {
       }
     }
     closestHits(scene, {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}, rays.size()}, hits);
+  }
+
+  // Tiles differ in cost: where there are few for each thread, one at a time keeps all busy to the end. Where there are
+  // many, the price of a task is shared.
+  size_t tilesTogether(size_t tiles) const {
+    constexpr size_t kTasks = 32;  // for each thread, at least
+    return std::clamp<size_t>(tiles / (kTasks * mTracers.size()), 1, 4);
   }
 
   Workers mWorkers;

@@ -34,8 +34,8 @@ void addLitOn(const hal::ShadowQueue &shadows, const uint8_t *blocked, const hal
   addUnblocked(shadows, blocked, sums);
 }
 
-void packOn(const hal::PixelSums &sums, size_t count, float share, uint32_t *bytes) {
-  packPixels(sums, count, share, bytes);
+void packOn(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
+  packPixels(sums, count, share, rgb565, bytes);
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
@@ -62,8 +62,8 @@ void addLit(const hal::ShadowQueue &shadows, const uint8_t *blocked, const hal::
   HWY_DYNAMIC_DISPATCH(addLitOn)(shadows, blocked, sums);
 }
 
-void pack(const hal::PixelSums &sums, size_t count, float share, uint32_t *bytes) {
-  HWY_DYNAMIC_DISPATCH(packOn)(sums, count, share, bytes);
+void pack(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
+  HWY_DYNAMIC_DISPATCH(packOn)(sums, count, share, rgb565, bytes);
 }
 
 }  // namespace rc::ddi::cpu

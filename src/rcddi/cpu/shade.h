@@ -21,6 +21,6 @@ void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::Hi
 void addLit(const hal::ShadowQueue &shadows, const uint8_t *blocked, const hal::PixelSums &sums);
 
 // Sums to bytes, times share. bytes: a Column's.
-void pack(const hal::PixelSums &sums, size_t count, float share, uint32_t *bytes);
+void pack(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes);
 
 }  // namespace rc::ddi::cpu

@@ -23,8 +23,8 @@ class CpuUnits {
     cpu::shade(scene, rays, hits, out);
   }
   void addVisible(const hal::SceneView &scene, const hal::ShadowQueue &shadows, const hal::PixelSums &sums);
-  static void pack(const hal::PixelSums &sums, size_t count, float share, uint32_t *bytes) {
-    cpu::pack(sums, count, share, bytes);
+  static void pack(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
+    cpu::pack(sums, count, share, rgb565, bytes);
   }
 
  private:

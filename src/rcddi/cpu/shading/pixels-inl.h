@@ -71,8 +71,15 @@ HWY_INLINE U byteOf(F colour) {
   return hn::BitCast(UTag(), hn::Min(hn::ConvertTo(di, hn::Mul(above, all(256))), hn::Set(di, 255)));
 }
 
+// As in rchal/framebuffer.h.
+HWY_INLINE U roundTo565(U rgba) {
+  const auto bits = [](U value, uint32_t mask) HWY_ATTR { return hn::And(value, hn::Set(UTag(), mask)); };
+  const U redAndBlue = bits(hn::ShiftRight<5>(rgba), 0x00070007u), green = bits(hn::ShiftRight<6>(rgba), 0x00000300u);
+  return hn::Or(bits(rgba, 0xfff8fcf8u), hn::Or(redAndBlue, green));
+}
+
 // bytes: has room for a vector behind its end.
-HWY_INLINE void packPixels(const hal::PixelSums &sums, size_t count, float share, uint32_t *bytes) {
+HWY_INLINE void packPixels(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
   const FTag d;
   const UTag du;
   for (size_t i = 0; i < count; i += lanes()) {
@@ -80,7 +87,8 @@ HWY_INLINE void packPixels(const hal::PixelSums &sums, size_t count, float share
         all(share) * V3{hn::LoadU(d, sums.red + i), hn::LoadU(d, sums.green + i), hn::LoadU(d, sums.blue + i)};
     const U low = hn::Or(byteOf(colour.x), hn::ShiftLeft<8>(byteOf(colour.y)));
     const U high = hn::Or(hn::ShiftLeft<16>(byteOf(colour.z)), hn::Set(du, 0xff000000u));
-    hn::StoreU(hn::Or(low, high), du, bytes + i);
+    const U rgba = hn::Or(low, high);
+    hn::StoreU(rgb565 ? roundTo565(rgba) : rgba, du, bytes + i);
   }
 }
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
