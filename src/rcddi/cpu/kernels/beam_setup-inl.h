@@ -39,9 +39,10 @@ HWY_INLINE bool placeOrigin(const Batch &batch, float extent, Beam &beam) {
   return false;
 }
 
-// What the rays of each packet lie between: slopes, offsets at depth 0, depths where they start and end.
+// What the rays of each packet lie between: least and most slopes, and offsets at depth 0; the first depth where one
+// starts, the last where one ends.
 struct alignas(64) Hulls {
-  float xSlope[2][kPackets], ySlope[2][kPackets], x[2][kPackets], y[2][kPackets], start[2][kPackets], end[2][kPackets];
+  float xSlope[2][kPackets], ySlope[2][kPackets], x[2][kPackets], y[2][kPackets], start[kPackets], end[kPackets];
 };
 
 #if HWY_TARGET == HWY_SCALAR  // vectors of one lane know no other
@@ -75,60 +76,98 @@ HWY_INLINE void storeBest(D d, F best, const V (&v)[4], float *out) {
 }
 #endif
 
-// The smallest and the largest value among the rays of each packet. value(i): of the rays from i on.
-template <class F>
-HWY_INLINE void enclose(const Batch &batch, F value, float (&out)[2][kPackets]) {
+struct Least {
+  template <class V>
+  HWY_INLINE V operator()(V a, V b) const {
+    return hn::Min(a, b);
+  }
+};
+struct Most {
+  template <class V>
+  HWY_INLINE V operator()(V a, V b) const {
+    return hn::Max(a, b);
+  }
+};
+
+// The best value among the rays of each packet. value(i): of the rays from i on.
+template <class Best, class F>
+HWY_INLINE void bestOfPackets(const Batch &batch, F value, Best best, float (&out)[kPackets]) {
   const D16 d;
-  using V = hn::Vec<D16>;
   for (size_t packet = 0; packet < batch.packets; packet += 4) {
-    V least[4], most[4];
+    hn::Vec<D16> four[4];
     for (size_t k = 0; k < 4; ++k) {
       const size_t begin = std::min(packet + k, batch.packets - 1) * kPacketRays;
-      least[k] = most[k] = value(begin);
-      for (size_t i = hn::Lanes(d); i < kPacketRays; i += hn::Lanes(d)) {
-        const V v = value(begin + i);
-        least[k] = hn::Min(least[k], v);
-        most[k] = hn::Max(most[k], v);
-      }
+      four[k] = value(begin);
+      for (size_t i = hn::Lanes(d); i < kPacketRays; i += hn::Lanes(d)) four[k] = best(four[k], value(begin + i));
     }
-    storeBest(
-        d, [](auto a, auto b) HWY_ATTR { return hn::Min(a, b); }, least, out[0] + packet);
-    storeBest(
-        d, [](auto a, auto b) HWY_ATTR { return hn::Max(a, b); }, most, out[1] + packet);
+    storeBest(d, best, four, out + packet);
   }
 }
 
-inline void fill(float (&out)[2][kPackets], float value) {
-  for (auto &row : out) std::fill(std::begin(row), std::end(row), value);
+template <class F>
+HWY_INLINE void enclose(const Batch &batch, F value, float (&out)[2][kPackets]) {
+  bestOfPackets(batch, value, Least(), out[0]);
+  bestOfPackets(batch, value, Most(), out[1]);
 }
 
-// endless: no ray has an end yet.
-HWY_INLINE void enclose(const Batch &batch, const Beam &beam, bool endless, Hulls &out) {
+inline void fill(float (&out)[kPackets], float value) { std::fill(std::begin(out), std::end(out), value); }
+
+// Encloses the rays of all packets at once. Returns whether they are no farther apart than `close`: else `out` is as it
+// was.
+template <class F>
+HWY_INLINE bool encloseTogether(const Batch &batch, F value, float close, float (&out)[2][kPackets]) {
   const D16 d;
-  const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
+  auto least = value(0), most = least;
+  for (size_t i = hn::Lanes(d); i < batch.packets * kPacketRays; i += hn::Lanes(d)) {
+    const auto v = value(i);
+    least = hn::Min(least, v);
+    most = hn::Max(most, v);
+  }
+  const float first = hn::GetLane(hn::MinOfLanes(d, least)), last = hn::GetLane(hn::MaxOfLanes(d, most));
+  if (!(last - first <= close)) return false;
+  fill(out[0], first);
+  fill(out[1], last);
+  return true;
+}
+
+// Where rays meet, and how far they go by each other there, is the same for all packets.
+HWY_INLINE void encloseOffsets(const Batch &batch, const Beam &beam, Hulls &out) {
+  const D16 d;
   const auto sign = hn::Set(d, batch.zSign), offset = hn::Set(d, beam.zOffset);
-  const auto xSlope = [&](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, batch.sx + i), sign); };
-  const auto ySlope = [&](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, batch.sy + i), sign); };
-  const auto start = [&](size_t i) HWY_ATTR { return hn::MulAdd(hn::LoadU(d, oz + i), sign, offset); };
-  enclose(batch, xSlope, out.xSlope);
-  enclose(batch, ySlope, out.ySlope);
+  const auto at = [&](const float *slopes, int axis, size_t i) HWY_ATTR {
+    const auto depth = hn::MulAdd(hn::LoadU(d, batch.origin[batch.kz] + i), sign, offset);
+    return hn::NegMulAdd(hn::Mul(hn::Load(d, slopes + i), sign), depth, hn::LoadU(d, batch.origin[axis] + i));
+  };
+  const auto x = [&](size_t i) HWY_ATTR { return at(batch.sx, batch.kx, i); };
+  const auto y = [&](size_t i) HWY_ATTR { return at(batch.sy, batch.ky, i); };
+  const float close = 0x1p-14f * std::max(std::abs(beam.zOffset), batch.size);
+  if (!encloseTogether(batch, x, close, out.x)) enclose(batch, x, out.x);
+  if (!encloseTogether(batch, y, close, out.y)) enclose(batch, y, out.y);
+}
+
+// endless: no ray has an end yet. before: all end where they meet, or before.
+HWY_INLINE void enclose(const Batch &batch, const Beam &beam, bool endless, bool before, Hulls &out) {
+  const D16 d;
+  const auto sign = hn::Set(d, batch.zSign), offset = hn::Set(d, beam.zOffset);
+  const auto slope = [&](const float *slopes) HWY_ATTR {
+    return [=](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, slopes + i), sign); };
+  };
+  enclose(batch, slope(batch.sx), out.xSlope);
+  enclose(batch, slope(batch.sy), out.ySlope);
   if (batch.common) {
-    fill(out.x, ox[0]);
-    fill(out.y, oy[0]);
+    for (float(&side)[kPackets] : out.x) fill(side, batch.origin[batch.kx][0]);
+    for (float(&side)[kPackets] : out.y) fill(side, batch.origin[batch.ky][0]);
     fill(out.start, 0);
   } else {
-    const auto x = [&](size_t i) HWY_ATTR { return hn::NegMulAdd(xSlope(i), start(i), hn::LoadU(d, ox + i)); };
-    const auto y = [&](size_t i) HWY_ATTR { return hn::NegMulAdd(ySlope(i), start(i), hn::LoadU(d, oy + i)); };
-    enclose(batch, x, out.x);
-    enclose(batch, y, out.y);
-    enclose(batch, start, out.start);
+    const float *oz = batch.origin[batch.kz];
+    encloseOffsets(batch, beam, out);
+    bestOfPackets(
+        batch, [&](size_t i) HWY_ATTR { return hn::MulAdd(hn::LoadU(d, oz + i), sign, offset); }, Least(), out.start);
   }
-  if (endless) {
-    fill(out.end, kFarthest);
-  } else {
-    enclose(
-        batch, [&](size_t i) HWY_ATTR { return endsOf(batch, beam, i); }, out.end);
-  }
+  if (endless) return fill(out.end, kFarthest);
+  if (before) return fill(out.end, batch.end + hal::kSlack * (batch.end - batch.start) + beam.zOffset);
+  bestOfPackets(
+      batch, [&](size_t i) HWY_ATTR { return endsOf(batch, beam, i); }, Most(), out.end);
 }
 
 // before: the rays lie at negative depths, where slopes count the other way round.
@@ -139,7 +178,7 @@ HWY_INLINE void boundsOf(D d, const Hulls &hulls, size_t i, bool before, float m
   const V xLess = hn::Sub(load(hulls.xSlope[0]), slope), xMore = hn::Add(load(hulls.xSlope[1]), slope);
   const V yLess = hn::Sub(load(hulls.ySlope[0]), slope), yMore = hn::Add(load(hulls.ySlope[1]), slope);
   // Rounding, or a light at hand, may lead rays beyond depth 0.
-  const V beyond = before ? hn::Max(load(hulls.end[1]), hn::Zero(d)) : hn::Zero(d);
+  const V beyond = before ? hn::Max(load(hulls.end), hn::Zero(d)) : hn::Zero(d);
   const V xMargin = hn::MulAdd(beyond, hn::Sub(xMore, xLess), wide);
   const V yMargin = hn::MulAdd(beyond, hn::Sub(yMore, yLess), wide);
   out[kXUpper] = hn::Add(load(hulls.x[1]), xMargin);
@@ -150,8 +189,8 @@ HWY_INLINE void boundsOf(D d, const Hulls &hulls, size_t i, bool before, float m
   out[kXLowerSlope] = before ? xMore : xLess;
   out[kYUpperSlope] = before ? yLess : yMore;
   out[kYLowerSlope] = before ? yMore : yLess;
-  out[kNear] = hn::Sub(load(hulls.start[0]), wide);
-  out[kFar] = hn::Min(hn::Add(load(hulls.end[1]), wide), hn::Set(d, kFarthest));
+  out[kNear] = hn::Sub(load(hulls.start), wide);
+  out[kFar] = hn::Min(hn::Add(load(hulls.end), wide), hn::Set(d, kFarthest));
 }
 
 // The widest that packets get where most triangles are: how incoherent their rays are.
@@ -214,7 +253,7 @@ HWY_INLINE void makeBeam(const Batch &batch, const hal::AccelView &accel, float 
   const float margin = 0x1p-20f * std::max(std::abs(beam.zOffset), batch.size);
   Hulls hulls;
   if (batch.packets < kPackets) hulls = {};
-  enclose(batch, beam, endless, hulls);
+  enclose(batch, beam, endless, before, hulls);
   beam.side = before ? -1.0f : 1.0f;
   beam.rounding = margin;
   beam.packets = 0;
