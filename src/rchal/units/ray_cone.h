@@ -22,7 +22,10 @@ inline float levelOfDetail(const TriangleAttributes &attributes, const TextureVi
   const Vec2 du = attributes.uv[1] - attributes.uv[0], dv = attributes.uv[2] - attributes.uv[0];
   const float texelArea =
       std::abs(du.x * dv.y - dv.x * du.y) * static_cast<float>(texture.width) * static_cast<float>(texture.height);
-  return 0.5f * log2Of(texelArea / attributes.doubleArea) + log2Of(coneWidth / std::max(cosine, kLeastCosine));
+  // Half the logarithm of texels in an area times the area of the footprint.
+  const float leastCosine = std::max(cosine, kLeastCosine);
+  const float texels = texelArea * (coneWidth * coneWidth), area = attributes.doubleArea * (leastCosine * leastCosine);
+  return 0.5f * log2Of(texels / area);
 }
 
 // How fast the interpolated normals turn over the triangle, 1 / radius: above 0 where the surface bulges towards the

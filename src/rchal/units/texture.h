@@ -45,7 +45,8 @@ inline Vec4 sampleBilinear(const TextureView &texture, int level, Vec2 uv, Wraps
   const float fx = x - x0, fy = y - y0;
   const Vec4 lower = glm::mix(texel(rows[0], columns[0]), texel(rows[0], columns[1]), fx);
   const Vec4 upper = glm::mix(texel(rows[1], columns[0]), texel(rows[1], columns[1]), fx);
-  return glm::mix(lower, upper, fy);
+  const Vec4 mixed = glm::mix(lower, upper, fy);
+  return texture.hasAlpha ? mixed : Vec4(Vec3(mixed), unpackTexel(*texels).w);
 }
 
 // lod: logarithm to base 2 of the footprint in texels of level 0; below 0 the texture is magnified.

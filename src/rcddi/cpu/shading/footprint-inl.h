@@ -33,9 +33,9 @@ RC_STEP F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, const
   const CoordinateEdges edges(surface);
   const F area = hn::Abs(hn::Sub(hn::Mul(edges.duX, edges.dvY), hn::Mul(edges.dvX, edges.duY)));
   const F texelArea = hn::Mul(hn::Mul(area, all(float(texture.width))), all(float(texture.height)));
-  const F cosine = hn::Abs(dot(surface.flatNormal, -rays.direction));
-  const F facing = log2Of(hn::Div(rays.coneWidth, hn::Max(cosine, all(hal::kLeastCosine))));
-  return hn::Add(hn::Mul(all(0.5f), log2Of(hn::Div(texelArea, doubleAreaOf(surface)))), facing);
+  const F cosine = hn::Max(hn::Abs(dot(surface.flatNormal, -rays.direction)), all(hal::kLeastCosine));
+  const F texels = hn::Mul(texelArea, hn::Mul(rays.coneWidth, rays.coneWidth));
+  return hn::Mul(all(0.5f), log2Of(hn::Div(texels, hn::Mul(doubleAreaOf(surface), hn::Mul(cosine, cosine)))));
 }
 
 struct FootprintLanes {

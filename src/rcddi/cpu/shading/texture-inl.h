@@ -34,8 +34,16 @@ HWY_INLINE F channel(U texels) {
   const U byte = hn::And(hn::ShiftRight<kShift>(texels), hn::Set(UTag(), 255));
   return hn::Mul(hn::ConvertTo(FTag(), hn::BitCast(ITag(), byte)), all(1.0f / 255));
 }
-RC_STEP TexelLanes unpackTexels(U texels) {
-  return {{channel<0>(texels), channel<8>(texels), channel<16>(texels)}, channel<24>(texels)};
+RC_STEP V3 unpackColours(U texels) { return {channel<0>(texels), channel<8>(texels), channel<16>(texels)}; }
+
+struct CornerTexels {
+  U lowerLeft, lowerRight, upperLeft, upperRight;
+  F x, y;  // way from the lower left ones
+};
+template <class Unpack>
+HWY_INLINE auto mixed(const CornerTexels &at, Unpack unpack) {
+  const auto lower = mix(unpack(at.lowerLeft), unpack(at.lowerRight), at.x);
+  return mix(lower, mix(unpack(at.upperLeft), unpack(at.upperRight), at.x), at.y);
 }
 
 // size: powers of two.
@@ -66,10 +74,13 @@ RC_STEP TexelLanes sampleBilinear(const hal::TextureView &texture, int level, F 
   const I upper = hn::Mul(wrapIndex(hn::Add(row, one), height, wraps.t), width);
   const auto *texels = reinterpret_cast<const int32_t *>(texture.levels[size_t(level)]);
   const auto texel = [&](I inRow, I inColumn) HWY_ATTR {
-    return unpackTexels(hn::BitCast(UTag(), hn::GatherIndex(di, texels, hn::Add(inRow, inColumn))));
+    return hn::BitCast(UTag(), hn::GatherIndex(di, texels, hn::Add(inRow, inColumn)));
   };
-  const F fx = hn::Sub(x, x0), fy = hn::Sub(y, y0);
-  return mix(mix(texel(lower, left), texel(lower, right), fx), mix(texel(upper, left), texel(upper, right), fx), fy);
+  const CornerTexels corners{texel(lower, left), texel(lower, right), texel(upper, left), texel(upper, right),
+                             hn::Sub(x, x0),     hn::Sub(y, y0)};
+  const V3 rgb = mixed(corners, [](U rgba) HWY_ATTR { return unpackColours(rgba); });
+  if (!texture.hasAlpha) return {rgb, all(hal::unpackTexel(static_cast<uint32_t>(*texels)).w)};
+  return {rgb, mixed(corners, [](U rgba) HWY_ATTR { return channel<24>(rgba); })};
 }
 
 // Lanes may read different levels: neighbours rarely need more than two.
