@@ -47,10 +47,8 @@ void scalarHits(const hal::SceneView &scene, std::span<const hal::Ray> rays, std
 
 void compareTargets(const char *structure, const hal::SceneView &scene, const test::Columns &columns,
                     std::span<const hal::Hit> truth, Counts &counts) {
-  std::vector<hal::Hit> hits(truth.size());
   test::forEachTarget([&](const char *name) {
-    ddi::cpu::closestHits(scene, columns.stream(), hits.data());
-    counts[std::string(structure) + ", " + name].add(hits, truth);
+    counts[std::string(structure) + ", " + name].add(test::closestHits(scene, columns), truth);
   });
 }
 

@@ -60,7 +60,7 @@ size_t shoot(const bench::Soup &soup, size_t wanted) {
     counts[1].add(part);
     size_t next = 2;
     test::forEachTarget([&](const char *) {
-      ddi::cpu::closestHits(bvhView, columns.stream(), part.hits.data());
+      part.hits = test::closestHits(bvhView, columns);
       counts[next++].add(part);
     });
   }

@@ -45,9 +45,8 @@ class RaycoreTracer final : public Tracer {
       for (size_t i = begin; i < end; ++i) hits[i].primitive = blocked[i - begin] ? 0 : kMiss;
     } else {
       thread_local hal::HitQueue found;
-      found.resize(end - begin);
-      ddi::cpu::closestHits(mView, stream, found.data());
-      for (size_t i = begin; i < end; ++i) hits[i] = {found[i - begin].t, found[i - begin].primitive};
+      ddi::cpu::closestHits(mView, stream, found);
+      for (size_t i = begin; i < end; ++i) hits[i] = {found.t[i - begin], found.primitive[i - begin]};
     }
   }
 

@@ -101,7 +101,28 @@ class RayQueue : public ColumnBlock<RayQueue> {
   }
 };
 
-using HitQueue = Column<Hit>;
+// The nearest hit of each ray of a batch.
+class HitQueue : public ColumnBlock<HitQueue> {
+ public:
+  FloatsOfQueue t, u, v;
+  NumbersOfQueue primitive;
+
+  void set(size_t i, const Hit &hit) {
+    t[i] = hit.t;
+    u[i] = hit.u;
+    v[i] = hit.v;
+    primitive[i] = hit.primitive;
+  }
+  Hit operator[](size_t i) const { return {t[i], u[i], v[i], primitive[i]}; }
+
+  template <class Visit, class... Queues>
+  static void forEachColumn(Visit &&visit, Queues &...queues) {
+    visit(queues.t...);
+    visit(queues.u...);
+    visit(queues.v...);
+    visit(queues.primitive...);
+  }
+};
 
 // A question to the traversal unit: how much of `colour` gets through from the light to the point?
 struct ShadowItem {

@@ -36,7 +36,7 @@ struct ScalarUnits {
     }
   }
   static void closestHits(const SceneView &scene, const RayQueue &rays, HitQueue &hits) {
-    for (size_t i = 0; i < rays.size(); ++i) hits[i] = nextHit(scene, rays.ray(i), rays.after(i), kInfinity);
+    for (size_t i = 0; i < rays.size(); ++i) hits.set(i, nextHit(scene, rays.ray(i), rays.after(i), kInfinity));
   }
   static void shade(const SceneView &scene, const RayQueue &rays, const HitQueue &hits, const Outputs &out) {
     for (size_t i = 0; i < rays.size(); ++i) shadeRay(scene, rays[i], hits[i], out);

@@ -35,6 +35,15 @@ struct Columns {
   }
 };
 
+// By the kernels.
+inline std::vector<hal::Hit> closestHits(const hal::SceneView &scene, const Columns &columns) {
+  hal::HitQueue queue;
+  ddi::cpu::closestHits(scene, columns.stream(), queue);
+  std::vector<hal::Hit> hits;
+  for (size_t i = 0; i < queue.size(); ++i) hits.push_back(queue[i]);
+  return hits;
+}
+
 // use(name) with each of them alone; the best one is chosen afterwards again.
 template <class Use>
 void forEachTarget(Use &&use) {

@@ -69,8 +69,7 @@ class EdgeLeaks : public testing::TestWithParam<Mesh> {
     EXPECT_EQ(leaks(hits), 0u);
     const Columns columns(mPlain);
     onEachTarget([&] {
-      ddi::cpu::closestHits(view, columns.stream(), hits.data());
-      EXPECT_EQ(leaks(hits), 0u);
+      EXPECT_EQ(leaks(closestHits(view, columns)), 0u);
     });
   }
 

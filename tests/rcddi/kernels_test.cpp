@@ -31,8 +31,7 @@ size_t compareHits(const SceneView &scene, const SceneView &plain, std::span<con
     found += truth[i].found();
   }
   onEachTarget([&] {
-    std::vector<Hit> hits(rays.size());
-    ddi::cpu::closestHits(scene, columns.stream(), hits.data());
+    const std::vector<Hit> hits = closestHits(scene, columns);
     size_t different = 0;
     for (size_t i = 0; i < rays.size() && different < 3; ++i) {
       if (sameBits(hits[i], truth[i])) continue;

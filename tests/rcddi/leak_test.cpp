@@ -42,8 +42,7 @@ TEST_P(Leaks, NoRayPassesBetweenTriangles) {
   for (size_t part = 0; part < parts; ++part) {
     const Columns columns(raysAtEdges(view, kPart, uint32_t(part)));
     onEachTarget([&] {
-      std::vector<hal::Hit> hits(kPart);
-      ddi::cpu::closestHits(view, columns.stream(), hits.data());
+      const std::vector<hal::Hit> hits = closestHits(view, columns);
       EXPECT_EQ(std::count_if(hits.begin(), hits.end(), [](const hal::Hit &hit) { return !hit.found(); }), 0);
     });
   }

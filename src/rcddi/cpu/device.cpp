@@ -59,7 +59,9 @@ class CpuDevice final : public Device {
         columns[3 + axis][i] = rays[i].direction[axis];
       }
     }
-    closestHits(scene, {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}, rays.size()}, hits);
+    thread_local HitQueue found;
+    closestHits(scene, {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}, rays.size()}, found);
+    for (size_t i = 0; i < rays.size(); ++i) hits[i] = found[i];
   }
 
   // Tiles differ in cost: where there are few for each thread, one at a time keeps all busy to the end. Where there are

@@ -18,8 +18,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-void closestHitsOf(const hal::SceneView &scene, const RayStream &rays, hal::Hit *hits) {
-  traceStream<false>(scene, rays, nullptr, nullptr, hits, nullptr);
+void closestHitsOf(const hal::SceneView &scene, const RayStream &rays, hal::HitQueue &hits) {
+  hits.resize(rays.count);
+  traceStream<false>(scene, rays, nullptr, nullptr, &hits, nullptr);
 }
 
 void findBlockedOf(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked,
@@ -36,7 +37,7 @@ namespace rc::ddi::cpu {
 HWY_EXPORT(closestHitsOf);
 HWY_EXPORT(findBlockedOf);
 
-void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::Hit *hits) {
+void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::HitQueue &hits) {
   HWY_DYNAMIC_DISPATCH(closestHitsOf)(scene, rays, hits);
 }
 

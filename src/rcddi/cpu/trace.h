@@ -11,6 +11,7 @@
 #include <array>
 
 #include "rcddi/cpu/filter_hits.h"
+#include "rchal/queues.h"
 
 namespace rc::ddi::cpu {
 
@@ -23,8 +24,8 @@ struct RayStream {
   const uint32_t *from = nullptr;
 };
 
-// The nearest hit of each ray.
-void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::Hit *hits);
+// The nearest hit of each ray: hits become as many.
+void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::HitQueue &hits);
 
 // blocked[i] = 1 if a triangle that lets no light through lies before tMax[i] on ray i, else 0. filters, unless null:
 // receives where rays that are not blocked cross the others.

@@ -20,13 +20,13 @@ RayStream streamOf(const VectorsOfQueue &origin, const VectorsOfQueue &direction
 }  // namespace
 
 void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, HitQueue &hits) {
-  cpu::closestHits(scene, streamOf(rays.origin, rays.direction, rays.size()), hits.data());
+  cpu::closestHits(scene, streamOf(rays.origin, rays.direction, rays.size()), hits);
   // The few that go on behind a hit ask the scalar unit.
   uint32_t after = kNoPrimitive;
   for (size_t i = 0; i < rays.size(); ++i) after &= rays.afterPrimitive[i];
   if (after == kNoPrimitive) return;
   for (size_t i = 0; i < rays.size(); ++i) {
-    if (rays.afterPrimitive[i] != kNoPrimitive) hits[i] = nextHit(scene, rays.ray(i), rays.after(i), kInfinity);
+    if (rays.afterPrimitive[i] != kNoPrimitive) hits.set(i, nextHit(scene, rays.ray(i), rays.after(i), kInfinity));
   }
 }
 

@@ -100,12 +100,15 @@ HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
 }
 
 // Hits in the order of the stream.
-HWY_INLINE void deliverInPlace(const Batch &batch, hal::Hit *hits) {
+HWY_INLINE void deliverInPlace(const Batch &batch, hal::HitQueue &hits) {
   const D16 d;
   const hn::RebindToUnsigned<D16> du;
   for (size_t i = 0; i < batch.rays; i += hn::Lanes(d)) {
-    hn::StoreInterleaved4(hn::Load(d, batch.t + i), hn::Load(d, batch.u + i), hn::Load(d, batch.v + i),
-                          hn::BitCast(d, hn::Load(du, batch.primitive + i)), d, &hits[i].t);
+    const size_t to = batch.first + i;
+    hn::StoreU(hn::Load(d, batch.t + i), d, hits.t.data() + to);
+    hn::StoreU(hn::Load(d, batch.u + i), d, hits.u.data() + to);
+    hn::StoreU(hn::Load(d, batch.v + i), d, hits.v.data() + to);
+    hn::StoreU(hn::Load(du, batch.primitive + i), du, hits.primitive.data() + to);
   }
 }
 
@@ -115,20 +118,20 @@ HWY_INLINE void deliverInPlace(const Batch &batch, uint8_t *HWY_RESTRICT blocked
 }
 
 template <bool kAny>
-HWY_INLINE void deliver(const Batch &batch, hal::Hit *hits, uint8_t *blocked) {
+HWY_INLINE void deliver(const Batch &batch, hal::HitQueue *hits, uint8_t *blocked) {
   if constexpr (kAny) {
     if (batch.inPlace) return deliverInPlace(batch, blocked + batch.first);
     for (size_t i = 0; i < batch.rays; ++i) blocked[batch.place(i)] = batch.t[i] == -kInfinity;
   } else {
-    if (batch.inPlace) return deliverInPlace(batch, hits + batch.first);
+    if (batch.inPlace) return deliverInPlace(batch, *hits);
     for (size_t i = 0; i < batch.rays; ++i) {
-      hits[batch.place(i)] = {batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]};
+      hits->set(batch.place(i), {batch.t[i], batch.u[i], batch.v[i], batch.primitive[i]});
     }
   }
 }
 
 template <bool kAny>
-HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, hal::Hit *hits, uint8_t *blocked) {
+HWY_INLINE void traceClass(const hal::SceneView &scene, Batch &batch, hal::HitQueue *hits, uint8_t *blocked) {
   uint32_t base = 0;
   for (const hal::GeometryView &geometry : scene.geometry) {
     if (!geometry.triangles.empty()) traceBatch<kAny>({geometry, base}, batch);
@@ -181,7 +184,7 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
 
 template <bool kAny>
 HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, size_t first, size_t count,
-                           const float *tMax, FilterHits *filters, hal::Hit *hits, uint8_t *blocked) {
+                           const float *tMax, FilterHits *filters, hal::HitQueue *hits, uint8_t *blocked) {
   Batch batch;
   batch.first = first;
   batch.filters = filters;
@@ -210,7 +213,7 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
 // tMax: null for rays without end. filters: of rays that ask kAny; may be null.
 template <bool kAny>
 inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, FilterHits *filters,
-                        hal::Hit *hits, uint8_t *blocked) {
+                        hal::HitQueue *hits, uint8_t *blocked) {
   for (size_t first = 0; first < rays.count; first += kBatchRays) {
     traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, filters, hits, blocked);
   }

@@ -211,7 +211,7 @@ HWY_INLINE void prefetchTriangles(const Shading &shading) {
       shading.scene.textures.empty() ? offsetof(hal::TriangleAttributes, uv) : sizeof(hal::TriangleAttributes);
   uint32_t last = hal::kNoPrimitive;
   for (size_t i = 0; i < shading.rays.size(); ++i) {
-    const uint32_t primitive = shading.hits[i].primitive;
+    const uint32_t primitive = shading.hits.primitive[i];
     if (primitive == last || primitive == hal::kNoPrimitive) continue;
     last = primitive;
     const auto [geometry, index] = hal::placeOf(shading.scene, primitive);

@@ -77,10 +77,11 @@ HWY_INLINE V3 start(const SurfaceLanes &surface, const V3 &direction) {
 RC_STEP RayLanes loadRays(const Shading &shading, size_t first, M valid) {
   RayLanes out;
   const hal::RayQueue &rays = shading.rays;
-  F primitive;
-  hn::LoadInterleaved4(FTag(), &shading.hits[first].t, out.t, out.u, out.v, primitive);
   out.first = first;
-  out.primitive = hn::BitCast(UTag(), primitive);
+  out.t = load(shading.hits.t, first);
+  out.u = load(shading.hits.u, first);
+  out.v = load(shading.hits.v, first);
+  out.primitive = load(shading.hits.primitive, first);
   const auto hit = hn::Ne(out.primitive, hn::Set(UTag(), hal::kNoPrimitive));
   out.found = hn::And(valid, hn::RebindMask(FTag(), hit));
   out.weight = load(rays.weight, first);
