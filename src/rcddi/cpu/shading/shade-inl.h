@@ -33,20 +33,19 @@ struct Kind {
 };
 
 // The kind of one lane, and all lanes of `open` that are of it.
-RC_STEP Kind kindOf(const Shading &shading, const SurfaceLanes &surface, M open) {
-  alignas(64) uint32_t materials[kMostLanes], flags[kMostLanes], sets[kMostLanes];
-  const UTag du;
-  hn::Store(surface.material, du, materials);
-  hn::Store(surface.flags, du, flags);
-  hn::Store(surface.set, du, sets);
+RC_STEP Kind kindOf(const Shading &shading, size_t first, const SurfaceLanes &surface, M open) {
+  const hal::SceneView &scene = shading.scene;
   const size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bitsOf(FTag(), open));
-  const auto same = [&](U values, uint32_t value) HWY_ATTR { return hn::Eq(values, hn::Set(du, value)); };
-  const auto alike = hn::And(same(surface.material, materials[lane]),
-                             hn::And(same(surface.flags, flags[lane]), same(surface.set, sets[lane])));
-  const hal::GeometryView &geometry = shading.scene.geometry[sets[lane]];
-  const hal::HotTriangle triangle{{}, {}, {}, materials[lane], flags[lane], 0};
-  return {hn::And(open, hn::RebindMask(FTag(), alike)), &hal::materialOf(shading.scene, geometry, triangle),
-          flags[lane]};
+  const auto [geometry, index] = hal::placeOf(scene, shading.hits.primitive[first + lane]);
+  const hal::HotTriangle &triangle = geometry.triangles[index];
+  const hal::MaterialRow *material = &hal::materialOf(scene, geometry, triangle);
+  if (surface.one) return {open, material, triangle.flags};
+  const auto same = [&](U values, uint32_t value) HWY_ATTR {
+    return hn::RebindMask(FTag(), hn::Eq(values, hn::Set(UTag(), value)));
+  };
+  const M inSet = &geometry == &scene.geometry[0] ? hn::Not(surface.dynamic) : surface.dynamic;
+  const M alike = hn::And(same(surface.material, triangle.material), same(surface.flags, triangle.flags));
+  return {hn::And(open, hn::And(inSet, alike)), material, triangle.flags};
 }
 
 // What a texel makes of a colour of the material. [OpenGL ES 1.1, 3.7.12]
@@ -178,7 +177,7 @@ RC_STEP void shadeVector(const Shading &shading, size_t first) {
   SurfaceLanes surface;
   surfaceOf(shading, rays, surface);
   for (M open = rays.found; !none(open);) {
-    const Kind kind = kindOf(shading, surface, open);
+    const Kind kind = kindOf(shading, first, surface, open);
     shadeKind(shading, kind, rays, surface, straight);
     open = hn::AndNot(kind.lanes, open);
   }

@@ -54,8 +54,10 @@ constexpr size_t kColorOffset = offsetof(hal::TriangleAttributes, color) / sizeo
 constexpr size_t kPlaneOffset = offsetof(hal::TriangleAttributes, flatNormal) / sizeof(float);
 
 struct SurfaceLanes {
-  U material, flags, set;  // set: 1 for dynamic triangles
-  V3 vertices[3];
+  bool one;  // all lanes have one triangle
+  U material, flags;
+  M dynamic;       // lanes with triangles of the second set
+  V3 vertices[3];  // where the width of rays is known
   V3 position, flatNormal, normal, color;
   F leastOffset, safeOffset;
   F s, t;  // texture coordinates
@@ -97,24 +99,21 @@ RC_STEP RayLanes loadRays(const Shading &shading, size_t first, M valid) {
 }
 
 // found: not empty.
-RC_STEP void findTriangles(const hal::SceneView &scene, const RayLanes &rays, TrianglePlaces &out) {
+RC_STEP void findTriangles(const Shading &shading, const RayLanes &rays, TrianglePlaces &out) {
+  const UTag du;
+  const auto place = [&](size_t lane, uint32_t primitive) HWY_ATTR {
+    const auto [geometry, index] = hal::placeOf(shading.scene, primitive);
+    out.triangle[lane] = reinterpret_cast<const float *>(geometry.triangles.data() + index);
+    out.attributes[lane] = reinterpret_cast<const float *>(geometry.attributes.data() + index);
+  };
+  const size_t someLane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bitsOf(FTag(), rays.found));
+  const uint32_t some = shading.hits.primitive[rays.first + someLane];
+  const auto found = hn::RebindMask(du, rays.found);
+  out.one = hn::AllFalse(du, hn::And(found, hn::Ne(rays.primitive, hn::Set(du, some))));
+  if (out.one) return place(0, some);
   alignas(64) uint32_t primitives[kMostLanes];
-  uint32_t bits = bitsOf(FTag(), rays.found);
-  const size_t someLane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-  hn::Store(rays.primitive, UTag(), primitives);
-  const uint32_t some = primitives[someLane];
-  hn::Store(hn::IfThenElse(hn::RebindMask(UTag(), rays.found), rays.primitive, hn::Set(UTag(), some)), UTag(),
-            primitives);
-  const auto same = hn::Or(hn::RebindMask(UTag(), hn::Not(rays.found)), hn::Eq(rays.primitive, hn::Set(UTag(), some)));
-  out.one = hn::AllTrue(UTag(), same);
-  const auto firstDynamic = static_cast<uint32_t>(scene.geometry[0].triangles.size());
-  for (size_t i = 0; i < (out.one ? 1 : lanes()); ++i) {
-    const bool dynamic = primitives[i] >= firstDynamic;
-    const hal::GeometryView &geometry = scene.geometry[dynamic];
-    const size_t index = primitives[i] - (dynamic ? firstDynamic : 0);
-    out.triangle[i] = reinterpret_cast<const float *>(geometry.triangles.data() + index);
-    out.attributes[i] = reinterpret_cast<const float *>(geometry.attributes.data() + index);
-  }
+  hn::Store(hn::IfThenElse(found, rays.primitive, hn::Set(du, some)), du, primitives);
+  for (size_t i = 0; i < lanes(); ++i) place(i, primitives[i]);
 }
 
 RC_STEP void loadRow(const float *const (&places)[kMostLanes], bool one, size_t offset, F *out) {
@@ -123,16 +122,20 @@ RC_STEP void loadRow(const float *const (&places)[kMostLanes], bool one, size_t 
 }
 
 RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const TrianglePlaces &places,
-                           SurfaceLanes &out) {
+                           V3 (&vertices)[3], SurfaceLanes &out) {
   F row[12];
   for (size_t offset = 0; offset < 12; offset += 4) loadRow(places.triangle, places.one, offset, row + offset);
-  for (size_t k = 0; k < 3; ++k) out.vertices[k] = {row[3 * k], row[3 * k + 1], row[3 * k + 2]};
+  for (size_t k = 0; k < 3; ++k) {
+    vertices[k] = {row[3 * k], row[3 * k + 1], row[3 * k + 2]};
+    if (shading.cones) out.vertices[k] = vertices[k];
+  }
   const UTag du;
   out.material = hn::BitCast(du, row[9]);
   out.flags = hn::BitCast(du, row[10]);
   out.leastOffset = row[11];
+  out.one = places.one;
   const U firstDynamic = hn::Set(du, static_cast<uint32_t>(shading.scene.geometry[0].triangles.size()));
-  out.set = hn::IfThenZeroElse(hn::Lt(rays.primitive, firstDynamic), hn::Set(du, 1));
+  if (!out.one) out.dynamic = hn::Not(hn::RebindMask(FTag(), hn::Lt(rays.primitive, firstDynamic)));
   // Attributes of 4 k ... 4 k + 3.
   const auto attributes = [&](size_t begin, size_t end) HWY_ATTR {
     for (size_t k = begin / 4 * 4; k < end; k += 4) {
@@ -173,9 +176,10 @@ RC_STEP void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceLane
   out = {};
 #endif
   TrianglePlaces places;
-  findTriangles(shading.scene, rays, places);
-  loadTriangles(shading, rays, places, out);
-  const auto &[v0, v1, v2] = out.vertices;
+  findTriangles(shading, rays, places);
+  V3 vertices[3];
+  loadTriangles(shading, rays, places, vertices, out);
+  const auto &[v0, v1, v2] = vertices;
   const F w0 = hn::Sub(hn::Sub(all(1), rays.u), rays.v), w1 = rays.u, w2 = rays.v;
   const V3 p0 = w0 * v0, p1 = w1 * v1, p2 = w2 * v2;
   out.position = p0 + p1 + p2;
