@@ -117,11 +117,9 @@ class Secondary {
 // weight: of what arrives at the surface.
 RC_STEP void reflectAndRefract(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
                                const SurfaceLanes &surface, const V3 &weight, F tolerance, M shaded) {
-  const bool mirrors = rc::maxComponent(material.reflection) > 0, bends = rc::maxComponent(material.transmittance) > 0;
-  if (!mirrors && !bends) return;
   const Secondary secondary(shading, rays, surface, tolerance, shaded);
   const V3 reflected = weight * all(material.reflection);
-  if (!bends) return secondary.reflect(reflected, shaded);
+  if (rc::maxComponent(material.transmittance) <= 0) return secondary.reflect(reflected, shaded);
   const V3 refracted = weight * all(material.transmittance);
   const F eta = select(surface.front, all(1 / material.refractionIndex), all(material.refractionIndex));
   const F cosine = hn::Neg(dot(rays.direction, surface.normal));

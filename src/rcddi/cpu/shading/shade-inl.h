@@ -27,6 +27,7 @@ struct Kind {
   M lanes;
   const hal::MaterialRow *material;
   uint32_t flags;
+  int secondary;  // kinds of rays that leave its hits, beside those that go straight on
 
   bool hasTexture() const { return material->texture != hal::kNoTexture; }
   bool hasNormalMap() const { return flags & hal::kTangentFrame && material->normalMap != hal::kNoTexture; }
@@ -39,13 +40,14 @@ RC_STEP Kind kindOf(const Shading &shading, size_t first, const SurfaceLanes &su
   const auto [geometry, index] = hal::placeOf(scene, shading.hits.primitive[first + lane]);
   const hal::HotTriangle &triangle = geometry.triangles[index];
   const hal::MaterialRow *material = &hal::materialOf(scene, geometry, triangle);
-  if (surface.one) return {open, material, triangle.flags};
+  const int secondary = hal::secondaryKinds(*material, shading.last);
+  if (surface.one) return {open, material, triangle.flags, secondary};
   const auto same = [&](U values, uint32_t value) HWY_ATTR {
     return hn::RebindMask(FTag(), hn::Eq(values, hn::Set(UTag(), value)));
   };
   const M inSet = &geometry == &scene.geometry[0] ? hn::Not(surface.dynamic) : surface.dynamic;
   const M alike = hn::And(same(surface.material, triangle.material), same(surface.flags, triangle.flags));
-  return {hn::And(open, hn::And(inSet, alike)), material, triangle.flags};
+  return {hn::And(open, hn::And(inSet, alike)), material, triangle.flags, secondary};
 }
 
 // What a texel makes of a colour of the material. [OpenGL ES 1.1, 3.7.12]
@@ -113,9 +115,10 @@ RC_STEP void shadeSurface(const Shading &shading, const Kind &kind, const RayLan
     colours.ambient = surface.color * colours.ambient;
     colours.diffuse = surface.color * colours.diffuse;
   }
-  if (!shading.last) colours.weight = weight * all(Rgb(1) - material.reflection - material.transmittance);
+  const bool whole = kind.secondary == 0;
+  if (!whole) colours.weight = weight * all(Rgb(1) - material.reflection - material.transmittance);
   shadeLocal(shading, material, rays, surface, colours, shaded);
-  if (!shading.last) reflectAndRefract(shading, material, rays, surface, weight, tolerance, shaded);
+  if (!whole) reflectAndRefract(shading, material, rays, surface, weight, tolerance, shaded);
 }
 
 // The lanes of one kind. straight: rays that went on behind an earlier hit.
@@ -142,13 +145,13 @@ RC_STEP void shadeKind(const Shading &shading, const Kind &kind, const RayLanes 
     surface.normal = select(kind.lanes, bentNormals(shading, kind, rays, surface), surface.normal);
 
   const M missing = hn::And(kind.lanes, hn::Lt(there, all(1)));
-  const int others = hal::secondaryKinds(material, shading.last);
-  F tolerance = hn::Mul(load(shading.rays.tolerance, rays.first), all(hal::shareOf(others)));
+  F tolerance = hn::Mul(load(shading.rays.tolerance, rays.first), all(hal::shareOf(kind.secondary)));
   V3 weight = rays.weight;
   M shaded = kind.lanes;
   if (!none(missing)) {
     const M some = hn::Gt(there, zero());
-    const F share = select(missing, select(some, all(hal::shareOf(others + 1)), all(1)), all(hal::shareOf(others)));
+    const F share = select(missing, select(some, all(hal::shareOf(kind.secondary + 1)), all(1)),
+                           all(hal::shareOf(kind.secondary)));
     tolerance = hn::Mul(load(shading.rays.tolerance, rays.first), share);
     goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, tolerance, some, hn::Or(some, before), missing);
     weight = there * rays.weight;
