@@ -68,9 +68,7 @@ class EdgeLeaks : public testing::TestWithParam<Mesh> {
     hal::createDevice("cpu", 1)->intersect(view, mPlain, hits);
     EXPECT_EQ(leaks(hits), 0u);
     const Columns columns(mPlain);
-    onEachTarget([&] {
-      EXPECT_EQ(leaks(closestHits(view, columns)), 0u);
-    });
+    onEachTarget([&] { EXPECT_EQ(leaks(closestHits(view, columns)), 0u); });
   }
 
   Triangles mTriangles;

@@ -59,8 +59,9 @@ class CpuDevice final : public Device {
         columns[3 + axis][i] = rays[i].direction[axis];
       }
     }
-    thread_local HitQueue found;
-    closestHits(scene, {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}, rays.size()}, found);
+    HitQueue found;
+    closestHits(scene, {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}, rays.size()},
+                found);
     for (size_t i = 0; i < rays.size(); ++i) hits[i] = found[i];
   }
 

@@ -149,9 +149,8 @@ HWY_INLINE void encloseOffsets(const Batch &batch, const Beam &beam, Hulls &out)
 HWY_INLINE void enclose(const Batch &batch, const Beam &beam, bool endless, bool before, Hulls &out) {
   const D16 d;
   const auto sign = hn::Set(d, batch.zSign), offset = hn::Set(d, beam.zOffset);
-  const auto slope = [&](const float *slopes) HWY_ATTR {
-    return [=](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, slopes + i), sign); };
-  };
+  const auto slope = [&](const float *slopes)
+                         HWY_ATTR { return [=](size_t i) HWY_ATTR { return hn::Mul(hn::Load(d, slopes + i), sign); }; };
   enclose(batch, slope(batch.sx), out.xSlope);
   enclose(batch, slope(batch.sy), out.ySlope);
   if (batch.common) {

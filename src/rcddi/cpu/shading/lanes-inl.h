@@ -79,9 +79,7 @@ RC_STEP V3 normalizedOr(const V3 &v, const V3 &fallback) {
 
 // The items of a column from `first` on. Columns have room for a vector behind their end.
 HWY_INLINE F load(const hal::FloatsOfQueue &column, size_t first) { return hn::LoadU(FTag(), column.data() + first); }
-HWY_INLINE U load(const hal::NumbersOfQueue &column, size_t first) {
-  return hn::LoadU(UTag(), column.data() + first);
-}
+HWY_INLINE U load(const hal::NumbersOfQueue &column, size_t first) { return hn::LoadU(UTag(), column.data() + first); }
 HWY_INLINE V3 load(const hal::VectorsOfQueue &column, size_t first) {
   return {load(column.x, first), load(column.y, first), load(column.z, first)};
 }

@@ -42,9 +42,8 @@ RC_STEP Kind kindOf(const Shading &shading, size_t first, const SurfaceLanes &su
   const hal::MaterialRow *material = &hal::materialOf(scene, geometry, triangle);
   const int secondary = hal::secondaryKinds(*material, shading.last);
   if (surface.one) return {open, material, triangle.flags, secondary};
-  const auto same = [&](U values, uint32_t value) HWY_ATTR {
-    return hn::RebindMask(FTag(), hn::Eq(values, hn::Set(UTag(), value)));
-  };
+  const auto same = [&](U values, uint32_t value)
+                        HWY_ATTR { return hn::RebindMask(FTag(), hn::Eq(values, hn::Set(UTag(), value))); };
   const M inSet = &geometry == &scene.geometry[0] ? hn::Not(surface.dynamic) : surface.dynamic;
   const M alike = hn::And(same(surface.material, triangle.material), same(surface.flags, triangle.flags));
   return {hn::And(open, hn::And(inSet, alike)), material, triangle.flags, secondary};
@@ -150,8 +149,8 @@ RC_STEP void shadeKind(const Shading &shading, const Kind &kind, const RayLanes 
   M shaded = kind.lanes;
   if (!none(missing)) {
     const M some = hn::Gt(there, zero());
-    const F share = select(missing, select(some, all(hal::shareOf(kind.secondary + 1)), all(1)),
-                           all(hal::shareOf(kind.secondary)));
+    const F share =
+        select(missing, select(some, all(hal::shareOf(kind.secondary + 1)), all(1)), all(hal::shareOf(kind.secondary)));
     tolerance = hn::Mul(load(shading.rays.tolerance, rays.first), share);
     goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, tolerance, some, hn::Or(some, before), missing);
     weight = there * rays.weight;

@@ -76,8 +76,8 @@ RC_STEP TexelLanes sampleBilinear(const hal::TextureView &texture, int level, F 
   const auto texel = [&](I inRow, I inColumn) HWY_ATTR {
     return hn::BitCast(UTag(), hn::GatherIndex(di, texels, hn::Add(inRow, inColumn)));
   };
-  const CornerTexels corners{texel(lower, left), texel(lower, right), texel(upper, left), texel(upper, right),
-                             hn::Sub(x, x0),     hn::Sub(y, y0)};
+  const CornerTexels corners{texel(lower, left),  texel(lower, right), texel(upper, left),
+                             texel(upper, right), hn::Sub(x, x0),      hn::Sub(y, y0)};
   const V3 rgb = mixed(corners, [](U rgba) HWY_ATTR { return unpackColours(rgba); });
   if (!texture.hasAlpha) return {rgb, all(hal::unpackTexel(static_cast<uint32_t>(*texels)).w)};
   return {rgb, mixed(corners, [](U rgba) HWY_ATTR { return channel<24>(rgba); })};
