@@ -113,7 +113,10 @@ class Assembler {
     };
     Corner corner{.position = vector(mVertices.position), .uv = mTexCoord};
     if (mCall.normals.data) corner.normal = vector(mVertices.normal);
-    if (mCall.texCoords.data) corner.uv = transformed(Vec4(loadVec2(mCall.texCoords, elements.vertices[i]), 0, 1));
+    if (mCall.texCoords.data) {
+      corner.uv = loadVec2(mCall.texCoords, elements.vertices[i]);
+      if (mMovesTexCoords) corner.uv = transformed(Vec4(corner.uv, 0, 1));
+    }
     if (mCall.colors.data) corner.color = glm::clamp(loadColor(mCall.colors, elements.shading[i]), 0.0f, 1.0f);
     return corner;
   }
@@ -210,7 +213,8 @@ class Assembler {
   const DrawCall &mCall;
   Assembled mOut;
   glm::mat3 mNormalMatrix;
-  size_t mElements = SIZE_MAX;  // that every array has
+  const bool mMovesTexCoords = mCall.textureMatrix != Mat4(1);  // mostly not
+  size_t mElements = SIZE_MAX;                                  // that every array has
   Vec2 mTexCoord{0};            // of all vertices where there is no array
   Elements mWaiting[kWaiting];  // triangles whose vertices are transformed together
   size_t mCount = 0;
