@@ -103,6 +103,7 @@ struct MaterialRow {
   Rgb reflection{0}, transmittance{0};  // sum at most 1 in each channel
   Rgb shadowTint{0};                    // what a shadow ray keeps; transmittance after the tint law
   float shininess = 0;
+  float leastShine = -kInfinity;  // cosines up to here, to the power of shininess, add nothing that could be seen
   float refractionIndex = 1;
   int32_t texture = kNoTexture, normalMap = kNoTexture;  // into SceneView::textures
   Wraps textureWrap, normalWrap;

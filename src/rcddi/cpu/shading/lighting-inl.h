@@ -81,8 +81,12 @@ RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::Mat
   const Rgb highlight = material.specular * light.specular;
   if (!isDark(highlight)) {
     const V3 mirrored = hn::Mul(all(2), cosine) * surface.normal - direction;
-    const F power = powOf(hn::Max(dot(mirrored, view), zero()), all(material.shininess));
-    direct = direct + power * all(highlight);
+    const F towardsView = dot(mirrored, view);
+    const M shines = hn::And(facing, hn::Gt(towardsView, all(material.leastShine)));
+    if (!none(shines)) {
+      const F power = powOf(hn::Max(towardsView, zero()), all(material.shininess));
+      direct = direct + onlyWhere(shines, power) * all(highlight);
+    }
   }
   direct = colours.weight * (hn::Mul(strength, cosine) * direct);
   const M lit = hn::And(facing, hn::Gt(maxComponent(direct), zero()));
