@@ -215,8 +215,8 @@ class Assembler {
   glm::mat3 mNormalMatrix;
   const bool mMovesTexCoords = mCall.textureMatrix != Mat4(1);  // mostly not
   size_t mElements = SIZE_MAX;                                  // that every array has
-  Vec2 mTexCoord{0};            // of all vertices where there is no array
-  Elements mWaiting[kWaiting];  // triangles whose vertices are transformed together
+  Vec2 mTexCoord{0};                                            // of all vertices where there is no array
+  Elements mWaiting[kWaiting];                                  // triangles whose vertices are transformed together
   size_t mCount = 0;
   VertexColumns mVertices;
   Clipper mClipper;

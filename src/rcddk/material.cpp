@@ -55,7 +55,7 @@ hal::MaterialRow materialRow(const Material &material, bool colourShadow) {
   }
   row.shadowTint = shadowTint(row.transmittance, material.diffuse, colourShadow);
   row.shininess = material.shininess;
-  if (row.shininess > 0) row.leastShine = std::exp2(-30 / row.shininess);
+  row.leastShine = hal::leastShineOf(row.shininess);
   row.refractionIndex = material.refractionIndex > 0 ? material.refractionIndex : 1;  // 0 bends nothing
   row.textureWrap = wrapsOf(material.textures[kColourMap]);
   row.normalWrap = wrapsOf(material.textures[kNormalMap]);

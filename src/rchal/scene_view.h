@@ -96,6 +96,9 @@ struct Wraps {
 // How a texel changes the colours of the material.
 enum class TextureEnv : uint8_t { Replace, Modulate, Decal, Blend, Add };
 
+// Cosines up to here are nothing that could be seen, to the power of shininess.
+inline float leastShineOf(float shininess) { return shininess > 0 ? std::exp2(-30 / shininess) : -kInfinity; }
+
 struct MaterialRow {
   Rgb ambient{0.2f}, diffuse{0.8f};
   Rgb specular{0};  // level included
@@ -103,7 +106,7 @@ struct MaterialRow {
   Rgb reflection{0}, transmittance{0};  // sum at most 1 in each channel
   Rgb shadowTint{0};                    // what a shadow ray keeps; transmittance after the tint law
   float shininess = 0;
-  float leastShine = -kInfinity;  // cosines up to here, to the power of shininess, add nothing that could be seen
+  float leastShine = -kInfinity;  // leastShineOf(shininess)
   float refractionIndex = 1;
   int32_t texture = kNoTexture, normalMap = kNoTexture;  // into SceneView::textures
   Wraps textureWrap, normalWrap;

@@ -18,13 +18,15 @@ TEST(Workers, EveryIndexOnceAndNoWorkerTwiceAtATime) {
     std::vector<int> seen(1000);
     std::vector<std::atomic<int>> busy(static_cast<size_t>(threads));
     std::atomic<bool> clash = false;
-    workers.forEach(seen.size(), [&](size_t i, int worker) {
+    const auto see = [&](size_t i, int worker) {
       if (busy.at(size_t(worker))++ != 0) clash = true;
       ++seen[i];
       --busy[size_t(worker)];
-    });
+    };
+    workers.forEach(seen.size(), see);
+    workers.forEach(seen.size(), see, 7);
     EXPECT_FALSE(clash);
-    for (int count : seen) EXPECT_EQ(count, 1);
+    for (int count : seen) EXPECT_EQ(count, 2);
   }
 }
 

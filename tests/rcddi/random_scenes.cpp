@@ -67,6 +67,7 @@ void RandomScene::makeMaterials() {
     if (chance(0.4f)) row.transmittance = 0.5f * colour();
     row.shadowTint = row.transmittance;
     row.shininess = chance(0.2f) ? 0 : uniform(0, 60);
+    row.leastShine = leastShineOf(row.shininess);
     row.refractionIndex = uniform(1, 2);
     if (chance(0.5f)) row.texture = int32_t(below(3));
     if (chance(0.3f)) row.normalMap = int32_t(below(3));

@@ -7,6 +7,7 @@
 #include "common/on_each_target.h"
 #include "rcddi/random_scenes.h"
 #include "rcddk/brightness.h"
+#include "rchal/framebuffer.h"
 
 namespace rc::test {
 namespace {
@@ -20,11 +21,11 @@ struct Picture {
   RayCounts counts;
 };
 
-Picture render(const char *device, int threads, SceneView view) {
+Picture render(const char *device, int threads, SceneView view, bool rgb565 = false) {
   view.camera.columns = kWidth;
   view.camera.rows = kHeight;
   Picture picture;
-  picture.counts = createDevice(device, threads)->trace(view, {picture.pixels.data(), kWidth, kHeight});
+  picture.counts = createDevice(device, threads)->trace(view, {picture.pixels.data(), kWidth, kHeight, rgb565});
   return picture;
 }
 
@@ -67,6 +68,20 @@ TEST_P(Shading, ThreadsDoNotChangeABit) {
   const RandomScene scene(GetParam());
   const Picture one = render("cpu", 1, scene.view());
   for (const int threads : {2, 5}) EXPECT_EQ(render("cpu", threads, scene.view()).pixels, one.pixels);
+}
+
+TEST(Pixels, OfFiveSixAndFiveBitsAreThoseOfEightRounded) {
+  const RandomScene scene(3);
+  SceneView view = scene.view();
+  view.scissor = PixelRect{3, 2, 30, 20};
+  view.writeMask = 0xff00ffffu;
+  onEachTarget([&] {
+    for (const char *device : {"ref", "cpu"}) {
+      std::vector<uint32_t> rounded = render(device, 1, view).pixels;
+      for (uint32_t &pixel : rounded) pixel = roundTo565(pixel);
+      EXPECT_EQ(render(device, 1, view, true).pixels, rounded) << device;
+    }
+  });
 }
 
 // The same choice of pixels on every device, and hardly another picture than with all samples everywhere.

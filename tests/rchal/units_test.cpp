@@ -160,7 +160,7 @@ SurfacePoint pointAt(const Vec3 &position, const Vec3 &normal) {
   return point;
 }
 
-const SurfaceColours kWhite{Rgb(1), Rgb(1), Rgb(1), 3};
+const SurfaceColours kWhite{Rgb(1), Rgb(1), Rgb(1), 3, leastShineOf(3)};
 
 TEST(Lighting, PhongHighlightIsTimesNL) {
   LightRow light;
@@ -246,6 +246,27 @@ TEST(Framebuffer, ColoursAreStoredByFloorOf256) {
   EXPECT_EQ(red(1e30f), 255u);
   EXPECT_EQ(red(std::nanf("")), 0u);
   EXPECT_EQ(packColour({0, 0, 0}) >> 24, 255u);
+}
+
+TEST(Lighting, HighlightsAreLeftOutWhereNobodySeesThem) {
+  for (const float shininess : {0.01f, 1.0f, 3.0f, 40.0f, 128.0f}) {
+    const float least = leastShineOf(shininess);
+    EXPECT_LT(powOf(least, shininess), 0x1.01p-30f) << shininess;
+    EXPECT_TRUE(least < 1e-30f || powOf(least * 1.1f, shininess) > 0x1p-30f) << shininess;
+  }
+  EXPECT_LT(leastShineOf(0), -1) << "without shininess it shines everywhere";
+}
+
+// As texture units widen such texels: 31 of 31 is 255 again.
+TEST(Framebuffer, FiveSixAndFiveBitsRepeatTheirUpperOnes) {
+  for (uint32_t byte = 0; byte < 256; ++byte) {
+    const uint32_t rounded = roundTo565(byte | byte << 8 | byte << 16 | 0xff000000u);
+    EXPECT_EQ(rounded & 255, byte >> 3 << 3 | byte >> 5) << byte;
+    EXPECT_EQ(rounded >> 8 & 255, byte >> 2 << 2 | byte >> 6) << byte;
+    EXPECT_EQ(rounded >> 16 & 255, rounded & 255) << byte;
+    EXPECT_EQ(rounded >> 24, 255u);
+    EXPECT_EQ(roundTo565(rounded), rounded) << "what is there already stays";
+  }
 }
 
 }  // namespace

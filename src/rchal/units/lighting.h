@@ -13,7 +13,7 @@ namespace rc::hal {
 // The surface's side of Phong's model: a texel may have replaced ambient and diffuse.
 struct SurfaceColours {
   Rgb ambient, diffuse, specular;
-  float shininess;
+  float shininess, leastShine;
 };
 
 struct LightTerm {
@@ -60,8 +60,10 @@ inline LightTerm lightAt(const LightRow &light, const SurfacePoint &point, const
   const Rgb highlight = surface.specular * light.specular;
   if (maxComponent(highlight) > 0) {
     const Vec3 mirrored = 2 * cosine * point.normal - term.direction;
-    const float towardsView = std::max(glm::dot(mirrored, view), 0.0f);
-    term.direct += highlight * powOf(towardsView, surface.shininess);
+    const float towardsView = glm::dot(mirrored, view);
+    if (towardsView > surface.leastShine) {
+      term.direct += highlight * powOf(std::max(towardsView, 0.0f), surface.shininess);
+    }
   }
   term.direct *= strength * cosine;
   return term;

@@ -141,7 +141,7 @@ class Shader {
     if (maxComponent(weight) <= 0) return;
     const SurfaceColours colours{mPoint.color * textured(mMaterial->ambient),
                                  mPoint.color * textured(mMaterial->diffuse), mMaterial->specular,
-                                 mMaterial->shininess};
+                                 mMaterial->shininess, mMaterial->leastShine};
     add(weight * (mMaterial->emission + mScene.globalAmbient * colours.ambient));
     for (size_t i = 0; i < mScene.lights.size(); ++i) {
       const LightRow &light = mScene.lights[i];
