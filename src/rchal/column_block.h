@@ -15,8 +15,6 @@ class BlockColumn {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) == 4);
 
  public:
-  using value_type = T;
-
   T *data() { return mValues; }
   const T *data() const { return mValues; }
   T &operator[](size_t i) { return mValues[i]; }
@@ -41,6 +39,11 @@ class ColumnBlock {
   void resize(size_t size) {
     reserve(size);
     mSize = size;
+  }
+  // Returns the place of a new item, which has any value.
+  size_t add() {
+    resize(mSize + 1);
+    return mSize - 1;
   }
   // Moves the last `count` items to `taken`, in their order; what that held is dropped.
   void takeLast(size_t count, Columns &taken) {
@@ -70,18 +73,18 @@ class ColumnBlock {
   Columns &self() { return static_cast<Columns &>(*this); }
 
   void moveTo(size_t capacity) {
-    constexpr size_t kLine = 16;  // values of a cache line
+    constexpr size_t kValue = 4, kLine = 64 / kValue;  // bytes; values of a cache line
     const size_t stride = (capacity + kLine - 1) / kLine * kLine + Column<float>::kSlack;
     size_t columns = 0;
     Columns::forEachColumn([&](auto &) { ++columns; }, self());
-    LargeVector<std::byte> block(columns * stride * 4);
+    LargeVector<std::byte> block(columns * stride * kValue);
     std::byte *values = block.data();
     Columns::forEachColumn(
         [&]<class T>(BlockColumn<T> &column) {
           auto *const moved = reinterpret_cast<T *>(values);
           std::copy_n(column.data(), mSize, moved);
           column.mValues = moved;
-          values += stride * 4;
+          values += stride * kValue;
         },
         self());
     mBlock = std::move(block);

@@ -14,8 +14,7 @@ PixelRect common(const PixelRect &a, const PixelRect &b) {
 }
 
 void clear(const SceneView &scene, const Target &target, const PixelRect &part) {
-  uint32_t colour = packColour(scene.clearColor);
-  if (target.rgb565) colour = roundTo565(colour);
+  const uint32_t colour = packColour(scene.clearColor, target.rgb565);
   for (int row = part.row; row < part.row + part.rows; ++row) {
     for (int column = part.column; column < part.column + part.columns; ++column) {
       store(pixelAt(target, column, row), colour, scene.writeMask);

@@ -8,15 +8,21 @@
 
 namespace rc::hal {
 
-// min(255, floor(256 c)) for each channel, alpha 255: how the hardware stores colours. No gamma.
-inline uint32_t packColour(const Rgb &colour) {
-  const auto byte = [](float c) { return c > 0 ? std::min(255u, static_cast<uint32_t>(std::min(c, 1.0f) * 256)) : 0u; };
-  return byte(colour.x) | byte(colour.y) << 8 | byte(colour.z) << 16 | 0xff000000u;
+// The bits of a colour that a buffer of 5, 6 and 5 bits keeps, and those that repeat the upper ones.
+namespace rgb565 {
+inline constexpr uint32_t kKept = 0xfff8fcf8, kRedAndBlue = 0x00070007, kGreen = 0x00000300;
 }
 
-// What is left of a colour in a buffer of 5, 6 and 5 bits; the upper bits are repeated, so that full stays full.
+// What is left of a colour in such a buffer; since the upper bits are repeated, full stays full.
 inline uint32_t roundTo565(uint32_t rgba) {
-  return (rgba & 0xfff8fcf8u) | (rgba >> 5 & 0x00070007u) | (rgba >> 6 & 0x00000300u);
+  return (rgba & rgb565::kKept) | (rgba >> 5 & rgb565::kRedAndBlue) | (rgba >> 6 & rgb565::kGreen);
+}
+
+// min(255, floor(256 c)) for each channel, alpha 255: how the hardware stores colours. No gamma.
+inline uint32_t packColour(const Rgb &colour, bool in565 = false) {
+  const auto byte = [](float c) { return c > 0 ? std::min(255u, static_cast<uint32_t>(std::min(c, 1.0f) * 256)) : 0u; };
+  const uint32_t rgba = byte(colour.x) | byte(colour.y) << 8 | byte(colour.z) << 16 | 0xff000000u;
+  return in565 ? roundTo565(rgba) : rgba;
 }
 
 // The pixel of a column and a row counted from the bottom.

@@ -54,8 +54,7 @@ class RayQueue : public ColumnBlock<RayQueue> {
   NumbersOfQueue pixel;
 
   void push(const RayItem &item) {
-    const size_t i = size();
-    resize(i + 1);
+    const size_t i = add();
     origin.set(i, item.ray.origin);
     direction.set(i, item.ray.direction);
     weight.set(i, item.weight);
@@ -141,8 +140,7 @@ class ShadowQueue : public ColumnBlock<ShadowQueue> {
   NumbersOfQueue pixel, from;
 
   void push(const ShadowItem &item) {
-    const size_t i = size();
-    resize(i + 1);
+    const size_t i = add();
     origin.set(i, item.ray.origin);
     direction.set(i, item.ray.direction);
     colour.set(i, item.colour);

@@ -50,10 +50,7 @@ struct ScalarUnits {
   }
   // The bytes of each pixel.
   static void pack(const PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
-    for (size_t i = 0; i < count; ++i) {
-      const uint32_t colour = packColour(sums[i] * share);
-      bytes[i] = rgb565 ? roundTo565(colour) : colour;
-    }
+    for (size_t i = 0; i < count; ++i) bytes[i] = packColour(sums[i] * share, rgb565);
   }
 };
 

@@ -11,6 +11,7 @@
 #endif
 
 #include "rcddi/cpu/shading/lanes-inl.h"
+#include "rchal/framebuffer.h"
 #include "rchal/tile.h"
 #include "rchal/units/ray_generation.h"
 
@@ -74,8 +75,9 @@ HWY_INLINE U byteOf(F colour) {
 // As in rchal/framebuffer.h.
 HWY_INLINE U roundTo565(U rgba) {
   const auto bits = [](U value, uint32_t mask) HWY_ATTR { return hn::And(value, hn::Set(UTag(), mask)); };
-  const U redAndBlue = bits(hn::ShiftRight<5>(rgba), 0x00070007u), green = bits(hn::ShiftRight<6>(rgba), 0x00000300u);
-  return hn::Or(bits(rgba, 0xfff8fcf8u), hn::Or(redAndBlue, green));
+  const U redAndBlue = bits(hn::ShiftRight<5>(rgba), hal::rgb565::kRedAndBlue);
+  const U green = bits(hn::ShiftRight<6>(rgba), hal::rgb565::kGreen);
+  return hn::Or(bits(rgba, hal::rgb565::kKept), hn::Or(redAndBlue, green));
 }
 
 // bytes: has room for a vector behind its end.
