@@ -210,14 +210,17 @@ HWY_INLINE void prefetchTriangles(const Shading &shading) {
   // Plane and normals come first; the rest mostly goes with textures.
   const size_t attributes =
       shading.scene.textures.empty() ? offsetof(hal::TriangleAttributes, uv) : sizeof(hal::TriangleAttributes);
-  uint32_t last = hal::kNoPrimitive;
-  for (size_t i = 0; i < shading.rays.size(); ++i) {
-    const uint32_t primitive = shading.hits.primitive[i];
-    if (primitive == last || primitive == hal::kNoPrimitive) continue;
-    last = primitive;
-    const auto [geometry, index] = hal::placeOf(shading.scene, primitive);
-    prefetch(geometry.triangles.data() + index, sizeof(hal::HotTriangle));
-    prefetch(geometry.attributes.data() + index, attributes);
+  // The last of rays beside each other that hit the same one asks for it.
+  const UTag du;
+  for (size_t first = 0; first < shading.rays.size(); first += lanes()) {
+    const U primitive = load(shading.hits.primitive, first), next = load(shading.hits.primitive, first + 1);
+    const auto hit =
+        hn::And(hn::Ne(primitive, hn::Set(du, hal::kNoPrimitive)), lanesUpTo(du, first, shading.rays.size()));
+    for (uint32_t bits = bitsOf(FTag(), hn::RebindMask(FTag(), hn::And(hit, hn::Ne(primitive, next)))); bits;) {
+      const auto [geometry, index] = hal::placeOf(shading.scene, shading.hits.primitive[first + nextBit(bits)]);
+      prefetch(geometry.triangles.data() + index, sizeof(hal::HotTriangle));
+      prefetch(geometry.attributes.data() + index, attributes);
+    }
   }
 }
 
