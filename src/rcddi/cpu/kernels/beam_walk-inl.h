@@ -31,10 +31,12 @@ struct WaitingLeaves {
 
 HWY_INLINE void clearQuarter(size_t quarter, TriangleLanes &triangles) {
   const D4 d;
+  const hn::RebindToUnsigned<D4> du;
   for (size_t i = quarter * 4; i < quarter * 4 + 4; i += hn::Lanes(d)) {
     for (auto &vertex : triangles.corners) {
       for (auto &column : vertex) hn::Store(hn::Zero(d), d, column + i);
     }
+    hn::Store(hn::Set(du, hal::TriangleBlock4::kNone), du, triangles.primitive + i);
   }
 }
 
@@ -93,33 +95,38 @@ HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 
   return depth + hwy::PopCount(met);
 }
 
-// A bit for each of 16 packets and each of 16 triangles. Loops over all of a word foretell their end better than loops
-// over the few triangles of each packet.
-struct Pairs {
-  static constexpr size_t kWords = kPackets * kLanes / 64;
+// Packets and triangles that may concern each other, as one list: where it ends is foretold wrong but once, where loops
+// over the few triangles of each packet end, again and again.
+class Pairs {
+ public:
+  struct Pair {
+    size_t packet, triangle;
+  };
 
-  uint64_t words[kWords] = {};
-
-  void add(size_t packet, uint32_t triangles) {
-    words[packet * kLanes / 64] |= uint64_t(triangles) << (packet * kLanes % 64);
+  size_t size() const { return size_; }
+  Pair operator[](size_t i) const { return {items_[i] / kLanes, items_[i] % kLanes}; }
+  // The triangles of the mask, the first lane of which is `first`.
+  HWY_INLINE void add(size_t packet, size_t first, hn::Mask<D16> triangles) {
+    const hn::RebindToUnsigned<D16> du;
+    const auto items = countFrom(du, packet * kLanes + first);
+    hn::StoreU(packed(du, items, hn::RebindMask(du, triangles)), du, items_ + size_);
+    size_ += hn::CountTrue(D16(), triangles);
   }
-  size_t count() const {
-    size_t sum = 0;
-    for (const uint64_t word : words) sum += hwy::PopCount(word);
-    return sum;
-  }
-  // visit(packet, triangle) returns whether the pair stays.
-  template <class Visit>
-  HWY_INLINE void keepIf(Visit &&visit) {
-    for (size_t w = 0; w < kWords; ++w) {
-      uint64_t kept = 0;
-      for (uint64_t rest = words[w]; rest; rest &= rest - 1) {
-        const size_t bit = hwy::Num0BitsBelowLS1Bit_Nonzero64(rest);
-        kept |= uint64_t(visit(w * 64 / kLanes + bit / kLanes, bit % kLanes)) << bit;
-      }
-      words[w] = kept;
+  // stays(pair): whether.
+  template <class Stays>
+  HWY_INLINE void keepIf(Stays &&stays) {
+    size_t kept = 0;
+    for (size_t i = 0; i < size_; ++i) {
+      const uint32_t item = items_[i];
+      items_[kept] = item;
+      kept += stays((*this)[i]);
     }
+    size_ = kept;
   }
+
+ private:
+  uint32_t items_[(kPackets + 1) * kLanes];  // packet * kLanes + triangle; room for a vector
+  size_t size_ = 0;
 };
 
 // What single rays are asked with: their slopes; NaN for those that are blocked, which then meet nothing.
@@ -162,29 +169,31 @@ HWY_INLINE bool seenByRays(const Geometry &geometry, const TriangleLanes &triang
 // The triangles that wait.
 template <bool kAny, bool kCommon>
 HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &beam, WaitingLeaves &leaves) {
+  const D16 d;
   TriangleLanes triangles;
-  uint32_t lanes = 0, changed = 0;
-  for (size_t i = 0; i < leaves.count; ++i) lanes |= addBlock(*leaves.blocks[i], batch, i, triangles);
+  for (size_t i = 0; i < leaves.count; ++i) addBlock(*leaves.blocks[i], batch, i, triangles);
   for (size_t i = leaves.count; i < WaitingLeaves::kMost; ++i) clearQuarter(i, triangles);
   Outlines outlines;
-  outline<kAny>(triangles, lanes, batch, beam, outlines);
+  outline<kAny>(triangles, batch, beam, outlines);
   Pairs pairs;
   RaySlopes slopes;
   while (leaves.packets) {
     const uint32_t packet = nextBit(leaves.packets);
     if constexpr (kAny) setSlopes(batch, beam, packet, slopes);
-    pairs.add(packet, trianglesIn(outlines, beam, packet) & lanes);
+    for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) pairs.add(packet, i, trianglesIn(outlines, beam, packet, i));
   }
-  leaves.tests += pairs.count();
+  leaves.tests += pairs.size();
   if constexpr (kAny) {
-    pairs.keepIf([&](size_t packet, size_t triangle)
-                     HWY_ATTR { return seenByRays(geometry, triangles, outlines, batch, slopes, packet, triangle); });
+    pairs.keepIf([&](const Pairs::Pair &pair) HWY_ATTR {
+      return seenByRays(geometry, triangles, outlines, batch, slopes, pair.packet, pair.triangle);
+    });
   }
-  pairs.keepIf([&](size_t packet, size_t triangle) HWY_ATTR {
+  uint32_t changed = 0;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    const auto [packet, triangle] = pairs[i];
     const bool hit = intersectPacket<kAny, kCommon>(geometry, batch, triangles, triangle, packet);
     changed |= uint32_t(hit) << packet;
-    return false;
-  });
+  }
   if (changed) shorten(batch, changed, beam);
   leaves.count = 0;
 }

@@ -133,11 +133,11 @@ HWY_INLINE void widenForRays(D d, float reach, V (&out)[kOutlineBounds]) {
   }
 }
 
-// there: the lanes that hold a triangle. kAny: single rays ask too.
+// kAny: single rays ask too.
 template <bool kAny>
-HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Batch &batch, const Beam &beam,
-                        Outlines &out) {
+HWY_INLINE void outline(const TriangleLanes &triangles, const Batch &batch, const Beam &beam, Outlines &out) {
   const D16 d;
+  const hn::RebindToUnsigned<D16> du;
   using V = hn::Vec<D16>;
   const int axes[3] = {batch.kx, batch.ky, batch.kz};
   float origin[3] = {};
@@ -159,8 +159,10 @@ HWY_INLINE void outline(const TriangleLanes &triangles, uint32_t there, const Ba
       seen[v] = {hn::MulSub(x, inverse, xSlope), hn::MulSub(y, inverse, ySlope), z, hn::Abs(inverse)};
     }
     V bounds[kOutlineBounds];
-    const auto open = setOutline(d, seen, bounds);
-    if (bitsOf(d, open) & there >> i) {
+    const auto none = hn::Eq(hn::Load(du, triangles.primitive + i), hn::Set(du, hal::TriangleBlock4::kNone));
+    const auto open = hn::AndNot(hn::RebindMask(d, none), setOutline(d, seen, bounds));
+    bounds[kFront] = hn::IfThenElse(hn::RebindMask(d, none), hn::Set(d, kInfinity), bounds[kFront]);
+    if (!hn::AllFalse(d, open)) {
       Corner<V> corners[3];
       for (size_t v = 0; v < 3; ++v) {
         const auto [x, y, z] = cornerAt(v);
@@ -184,30 +186,26 @@ HWY_INLINE hn::Mask<D16> mayMeet(const Outlines &outlines, size_t triangle, hn::
   return hn::Ge(hn::Min(hn::Min(side(0), side(1)), side(2)), hn::Zero(d));
 }
 
-// Triangles whose outlines may have something in common with the window of a packet.
-HWY_INLINE uint32_t trianglesIn(const Outlines &outlines, const Beam &beam, size_t packet) {
+// Which of the triangles from i on have outlines that may have something in common with the window of a packet.
+HWY_INLINE hn::Mask<D16> trianglesIn(const Outlines &outlines, const Beam &beam, size_t packet, size_t i) {
   const D16 d;
   using V = hn::Vec<D16>;
-  uint32_t bits = 0;
-  for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
-    const auto outline = [&](size_t bound) HWY_ATTR { return hn::Load(d, outlines.bounds[bound] + i); };
-    const auto window = [&](WindowBound bound) HWY_ATTR { return hn::Set(d, beam.windows[bound][packet]); };
-    const V closeness = outline(kCloseness), xMiddle = window(kXMiddle), yMiddle = window(kYMiddle);
-    const V xHalf = hn::MulAdd(window(kXShift), closeness, window(kXHalf));
-    const V yHalf = hn::MulAdd(window(kYShift), closeness, window(kYHalf));
-    auto both = hn::And(hn::Le(outline(kFront), hn::Set(d, beam.bounds[kFar][packet])),
-                        hn::Ge(outline(kBack), hn::Set(d, beam.bounds[kNear][packet])));
-    both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline(kXCentre), xMiddle)), hn::Add(outline(kXReach), xHalf)));
-    both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline(kYCentre), yMiddle)), hn::Add(outline(kYReach), yHalf)));
-    for (size_t edge = kEdges; edge < kWide; edge += 3) {
-      const V a = outline(edge), b = outline(edge + 1);
-      const V middle = hn::MulAdd(a, xMiddle, hn::MulAdd(b, yMiddle, outline(edge + 2)));
-      const V most = hn::MulAdd(hn::Abs(a), xHalf, hn::MulAdd(hn::Abs(b), yHalf, middle));
-      both = hn::And(both, hn::Ge(most, hn::Zero(d)));
-    }
-    bits |= bitsOf(d, both) << i;
+  const auto outline = [&](size_t bound) HWY_ATTR { return hn::Load(d, outlines.bounds[bound] + i); };
+  const auto window = [&](WindowBound bound) HWY_ATTR { return hn::Set(d, beam.windows[bound][packet]); };
+  const V closeness = outline(kCloseness), xMiddle = window(kXMiddle), yMiddle = window(kYMiddle);
+  const V xHalf = hn::MulAdd(window(kXShift), closeness, window(kXHalf));
+  const V yHalf = hn::MulAdd(window(kYShift), closeness, window(kYHalf));
+  auto both = hn::And(hn::Le(outline(kFront), hn::Set(d, beam.bounds[kFar][packet])),
+                      hn::Ge(outline(kBack), hn::Set(d, beam.bounds[kNear][packet])));
+  both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline(kXCentre), xMiddle)), hn::Add(outline(kXReach), xHalf)));
+  both = hn::And(both, hn::Le(hn::Abs(hn::Sub(outline(kYCentre), yMiddle)), hn::Add(outline(kYReach), yHalf)));
+  for (size_t edge = kEdges; edge < kWide; edge += 3) {
+    const V a = outline(edge), b = outline(edge + 1);
+    const V middle = hn::MulAdd(a, xMiddle, hn::MulAdd(b, yMiddle, outline(edge + 2)));
+    const V most = hn::MulAdd(hn::Abs(a), xHalf, hn::MulAdd(hn::Abs(b), yHalf, middle));
+    both = hn::And(both, hn::Ge(most, hn::Zero(d)));
   }
-  return bits;
+  return both;
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

@@ -25,16 +25,15 @@ struct Corner {
 // Up to 16 triangles, from four blocks.
 struct alignas(64) TriangleLanes {
   float corners[3][3][kLanes];  // by vertex, along kx, ky, kz; less the origin if the batch has a common one
-  uint32_t primitive[kLanes];   // in the geometry
+  uint32_t primitive[kLanes];   // in the geometry; TriangleBlock4::kNone: there is none
 };
 
-// Copies a block into a quarter of the lanes. Returns the lanes that hold a triangle.
-HWY_INLINE uint32_t addBlock(const hal::TriangleBlock4 &block, const Batch &batch, size_t quarter, TriangleLanes &out) {
+// Copies a block into a quarter of the lanes.
+HWY_INLINE void addBlock(const hal::TriangleBlock4 &block, const Batch &batch, size_t quarter, TriangleLanes &out) {
   const D4 d;
   const hn::RebindToUnsigned<D4> du;
   const int axes[3] = {batch.kx, batch.ky, batch.kz};
   const size_t first = quarter * hal::TriangleBlock4::kWidth;
-  uint32_t lanes = 0;
   for (size_t i = 0; i < hal::TriangleBlock4::kWidth; i += hn::Lanes(d)) {
     for (size_t k = 0; k < 3; ++k) {
       const auto origin = hn::Set(d, batch.common ? batch.origin[axes[k]][0] : 0.0f);
@@ -42,11 +41,8 @@ HWY_INLINE uint32_t addBlock(const hal::TriangleBlock4 &block, const Batch &batc
         hn::Store(hn::Sub(hn::Load(d, block.vertices[v][axes[k]] + i), origin), d, out.corners[v][k] + first + i);
       }
     }
-    const auto primitive = hn::Load(du, block.primitive + i);
-    hn::Store(primitive, du, out.primitive + first + i);
-    lanes |= bitsOf(d, hn::RebindMask(d, hn::Ne(primitive, hn::Set(du, hal::TriangleBlock4::kNone)))) << i;
+    hn::Store(hn::Load(du, block.primitive + i), du, out.primitive + first + i);
   }
-  return lanes << first;
 }
 
 // A triangle as the first of the lanes.
@@ -146,7 +142,6 @@ HWY_INLINE bool intersectTriangle(const Geometry &geometry, Batch &batch, const 
   const auto wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
   const auto least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
   auto inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
-  if (hn::AllFalse(d, inside)) return false;
   bool changed = false;
   const auto onEdge = hn::And(inside, hn::Or(hn::Eq(least, zero), hn::Eq(most, zero)));
   if (HWY_UNLIKELY(!hn::AllFalse(d, onEdge))) {
@@ -164,10 +159,10 @@ HWY_INLINE bool intersectTriangle(const Geometry &geometry, Batch &batch, const 
     better = hn::Or(better, hn::And(hn::Eq(t, best), hn::RebindMask(d, lower)));
   }
   const auto accept = hn::And(inside, hn::And(hn::Gt(t, zero), better));
-  if (hn::AllFalse(d, accept)) return changed;
   const auto u = hn::Mul(wb, scale), v = hn::Mul(wc, scale);
   if constexpr (kAny) {
     if (geometry.filters(triangles.primitive[lane])) {
+      if (hn::AllFalse(d, accept)) return changed;
       alignas(64) float lanes[3][kLanes];
       hn::Store(t, d, lanes[0]);
       hn::Store(u, d, lanes[1]);
@@ -183,7 +178,7 @@ HWY_INLINE bool intersectTriangle(const Geometry &geometry, Batch &batch, const 
     hn::BlendedStore(v, accept, d, batch.v + i);
     hn::BlendedStore(hn::Set(du, primitive), hn::RebindMask(du, accept), du, batch.primitive + i);
   }
-  return true;
+  return changed || !hn::AllFalse(d, accept);
 }
 
 // One triangle against a packet. Returns whether a ray has got a better hit, or is blocked.
