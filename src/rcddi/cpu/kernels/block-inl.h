@@ -49,7 +49,6 @@ HWY_INLINE uint32_t testBlock(D d, const hal::TriangleBlock4 &block, const Batch
     const V wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
     const V least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
     const auto inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
-    if (hn::AllFalse(d, inside)) continue;
     const auto onEdge = hn::And(inside, hn::Or(hn::Eq(least, zero), hn::Eq(most, zero)));
     const V scale = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(wa, wb), wc));
     const V height = hn::Add(hn::Add(hn::Mul(wa, a.z), hn::Mul(wb, b.z)), hn::Mul(wc, c.z));
