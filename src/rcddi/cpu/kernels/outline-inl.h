@@ -171,7 +171,10 @@ HWY_INLINE void outline(const TriangleLanes &triangles, const Batch &batch, cons
       setPlanes(d, open, corners, beam.side, beam.reach(), beam.rounding, bounds);
     }
     if constexpr (kAny) widenForRays(d, beam.reach(), bounds);
-    for (size_t k = 0; k < (kAny ? kOutlineBounds : kWide); ++k) hn::Store(bounds[k], d, out.bounds[k] + i);
+    // Not a loop: compilers leave one of so many turns as it is, and all bounds in memory.
+    [&]<size_t... k>(std::index_sequence<k...>) HWY_ATTR {
+      (hn::Store(bounds[k], d, out.bounds[k] + i), ...);
+    }(std::make_index_sequence<kAny ? kOutlineBounds : kWide>());
   }
 }
 
