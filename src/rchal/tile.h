@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // tile.h: the pixels of a tile in the order in which rays leave them: blocks of 4 x 4, so that pixels which lie beside
-// each other in both directions follow each other in the queue and their rays stay together.
+// each other in both directions follow each other in the queue and their rays stay together. Rows of blocks run to and
+// fro: where some rays are missing, 16 that follow each other belong to two blocks, and these touch.
 #pragma once
 
 #include "rchal/column.h"
@@ -32,7 +33,7 @@ class TilePixels {
     column.resize(0);
     row.resize(0);
     for (int y = 0; y < rows; y += kBlock) {
-      for (int x = 0; x < columns; x += kBlock) addBlock(x, y);
+      for (int x = 0; x < columns; x += kBlock) addBlock(isBackwards(y) ? (columns - 1) / kBlock * kBlock - x : x, y);
     }
   }
   // Some of another tile's pixels, in its order.
@@ -47,12 +48,14 @@ class TilePixels {
   size_t placeOf(int x, int y) const {
     const int left = x / kBlock * kBlock, bottom = y / kBlock * kBlock;
     const int height = std::min(kBlock, mRows - bottom), width = std::min(kBlock, mColumns - left);
-    return size_t(bottom * mColumns + left * height + (y - bottom) * width + x - left);
+    const int before = isBackwards(bottom) ? mColumns - left - width : left;
+    return size_t(bottom * mColumns + before * height + (y - bottom) * width + x - left);
   }
 
   Column<int32_t> column, row;  // within the tile
 
  private:
+  static bool isBackwards(int row) { return row / kBlock % 2 == 1; }
   void addBlock(int left, int bottom) {
     for (int y = bottom; y < std::min(bottom + kBlock, mRows); ++y) {
       for (int x = left; x < std::min(left + kBlock, mColumns); ++x) {
