@@ -100,10 +100,10 @@ HWY_INLINE float farthest(const Batch &batch, const Beam &beam, size_t packet) {
   return hn::GetLane(hn::MaxOfLanes(d, most));
 }
 
-// After hits of the packets whose bits are set.
-HWY_INLINE void shorten(const Batch &batch, uint32_t changed, Beam &beam) {
-  while (changed) {
-    const size_t packet = nextBit(changed);
+// After what may be hits of the packets whose bits are set.
+HWY_INLINE void shorten(const Batch &batch, uint32_t packets, Beam &beam) {
+  while (packets) {
+    const size_t packet = nextBit(packets);
     beam.bounds[kFar][packet] = farthest(batch, beam, packet);
   }
   const D16 d;

@@ -45,6 +45,7 @@ HWY_INLINE void meetPackets(const hal::BvhNode8 &node, uint32_t child, const Bat
                             const float *entered, float *near) {
   const D16 d;
   using V = hn::Vec<D16>;
+  const V sign = hn::Set(d, batch.zSign), offset = hn::Set(d, beam.zOffset);
   const auto &x = node.planes[batch.kx], &y = node.planes[batch.ky], &z = node.planes[batch.kz];
   const int front = batch.zSign < 0;
   for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
@@ -55,8 +56,8 @@ HWY_INLINE void meetPackets(const hal::BvhNode8 &node, uint32_t child, const Bat
                     hn::Set(d, x[1][child]),
                     hn::Set(d, y[0][child]),
                     hn::Set(d, y[1][child]),
-                    hn::Set(d, z[front][child] * batch.zSign + beam.zOffset),
-                    hn::Set(d, z[!front][child] * batch.zSign + beam.zOffset)};
+                    hn::MulAdd(hn::Set(d, z[front][child]), sign, offset),
+                    hn::MulAdd(hn::Set(d, z[!front][child]), sign, offset)};
     const auto met = meets(d, box, lanes);
     hn::Store(hn::IfThenElse(met, box.near, hn::Set(d, kInfinity)), d, near + i);
   }
@@ -148,8 +149,8 @@ HWY_INLINE void setSlopes(const Batch &batch, const Beam &beam, size_t packet, R
 // Whether some ray of the packet may meet the triangle: one that is not blocked yet and does not start on it. Of what a
 // window holds, shadow rays miss more than half, and finding that out here costs a third of the test. Other rays miss
 // less, and gain nothing.
-HWY_INLINE bool seenByRays(const Geometry &geometry, const TriangleLanes &triangles, const Outlines &outlines,
-                           const Batch &batch, const RaySlopes &slopes, size_t packet, size_t triangle) {
+HWY_INLINE bool seenByRays(const TriangleLanes &triangles, const Outlines &outlines, const Batch &batch,
+                           const RaySlopes &slopes, size_t packet, size_t triangle) {
   const D16 d;
   const hn::RebindToUnsigned<D16> du;
   bool seen = false;
@@ -157,8 +158,7 @@ HWY_INLINE bool seenByRays(const Geometry &geometry, const TriangleLanes &triang
     const size_t i = packet * kPacketRays + k;
     auto may = mayMeet(outlines, triangle, hn::Load(d, slopes.x + i), hn::Load(d, slopes.y + i));
     if (batch.from) {
-      const auto other =
-          hn::Ne(hn::LoadU(du, batch.from + i), hn::Set(du, geometry.base + triangles.primitive[triangle]));
+      const auto other = hn::Ne(hn::LoadU(du, batch.from + i), hn::Set(du, triangles.primitive[triangle]));
       may = hn::And(may, hn::RebindMask(d, other));
     }
     seen |= !hn::AllFalse(d, may);
@@ -171,7 +171,7 @@ template <bool kAny, bool kCommon>
 HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &beam, WaitingLeaves &leaves) {
   const D16 d;
   TriangleLanes triangles;
-  for (size_t i = 0; i < leaves.count; ++i) addBlock(*leaves.blocks[i], batch, i, triangles);
+  for (size_t i = 0; i < leaves.count; ++i) addBlock(geometry, *leaves.blocks[i], batch, i, triangles);
   for (size_t i = leaves.count; i < WaitingLeaves::kMost; ++i) clearQuarter(i, triangles);
   Outlines outlines;
   outline<kAny>(triangles, batch, beam, outlines);
@@ -184,17 +184,16 @@ HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &be
   }
   leaves.tests += pairs.size();
   if constexpr (kAny) {
-    pairs.keepIf([&](const Pairs::Pair &pair) HWY_ATTR {
-      return seenByRays(geometry, triangles, outlines, batch, slopes, pair.packet, pair.triangle);
-    });
+    pairs.keepIf([&](const Pairs::Pair &pair)
+                     HWY_ATTR { return seenByRays(triangles, outlines, batch, slopes, pair.packet, pair.triangle); });
   }
-  uint32_t changed = 0;
+  uint32_t tested = 0;
   for (size_t i = 0; i < pairs.size(); ++i) {
     const auto [packet, triangle] = pairs[i];
-    const bool hit = intersectPacket<kAny, kCommon>(geometry, batch, triangles, triangle, packet);
-    changed |= uint32_t(hit) << packet;
+    intersectPacket<kAny, kCommon>(geometry, batch, triangles, triangle, packet);
+    tested |= 1u << packet;
   }
-  if (changed) shorten(batch, changed, beam);
+  shorten(batch, tested, beam);
   leaves.count = 0;
 }
 

@@ -172,9 +172,8 @@ HWY_INLINE void outline(const TriangleLanes &triangles, const Batch &batch, cons
     }
     if constexpr (kAny) widenForRays(d, beam.reach(), bounds);
     // Not a loop: compilers leave one of so many turns as it is, and all bounds in memory.
-    [&]<size_t... k>(std::index_sequence<k...>) HWY_ATTR {
-      (hn::Store(bounds[k], d, out.bounds[k] + i), ...);
-    }(std::make_index_sequence<kAny ? kOutlineBounds : kWide>());
+    [&]<size_t... k>(std::index_sequence<k...>) HWY_ATTR { (hn::Store(bounds[k], d, out.bounds[k] + i), ...); }
+    (std::make_index_sequence < kAny ? kOutlineBounds : kWide > ());
   }
 }
 

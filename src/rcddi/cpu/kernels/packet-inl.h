@@ -25,11 +25,12 @@ struct Corner {
 // Up to 16 triangles, from four blocks.
 struct alignas(64) TriangleLanes {
   float corners[3][3][kLanes];  // by vertex, along kx, ky, kz; less the origin if the batch has a common one
-  uint32_t primitive[kLanes];   // in the geometry; TriangleBlock4::kNone: there is none
+  uint32_t primitive[kLanes];   // through both sets; TriangleBlock4::kNone: there is none
 };
 
 // Copies a block into a quarter of the lanes.
-HWY_INLINE void addBlock(const hal::TriangleBlock4 &block, const Batch &batch, size_t quarter, TriangleLanes &out) {
+HWY_INLINE void addBlock(const Geometry &geometry, const hal::TriangleBlock4 &block, const Batch &batch, size_t quarter,
+                         TriangleLanes &out) {
   const D4 d;
   const hn::RebindToUnsigned<D4> du;
   const int axes[3] = {batch.kx, batch.ky, batch.kz};
@@ -41,7 +42,9 @@ HWY_INLINE void addBlock(const hal::TriangleBlock4 &block, const Batch &batch, s
         hn::Store(hn::Sub(hn::Load(d, block.vertices[v][axes[k]] + i), origin), d, out.corners[v][k] + first + i);
       }
     }
-    hn::Store(hn::Load(du, block.primitive + i), du, out.primitive + first + i);
+    const auto primitive = hn::Load(du, block.primitive + i), none = hn::Set(du, hal::TriangleBlock4::kNone);
+    const auto number = hn::Add(primitive, hn::Set(du, geometry.base));
+    hn::Store(hn::IfThenElse(hn::Eq(primitive, none), none, number), du, out.primitive + first + i);
   }
 }
 
@@ -55,7 +58,7 @@ HWY_INLINE void setTriangle(const Geometry &geometry, const Batch &batch, uint32
     const float origin = kCommon ? batch.origin[axes[k]][0] : 0;
     for (size_t v = 0; v < 3; ++v) out.corners[v][k][0] = (*vertices[v])[axes[k]] - origin;
   }
-  out.primitive[0] = primitive;
+  out.primitive[0] = geometry.base + primitive;
 }
 
 template <bool kCommon>
@@ -68,6 +71,18 @@ HWY_INLINE Corner<hn::Vec<D16>> shear(const Batch &batch, const float (&vertex)[
     z = hn::Sub(z, hn::LoadU(d, batch.origin[batch.kz] + i));
   }
   return {hn::Sub(x, hn::Mul(hn::Load(d, batch.sx + i), z)), hn::Sub(y, hn::Mul(hn::Load(d, batch.sy + i), z)), z};
+}
+
+// Lanes with a ray inside a triangle, from the least and the most of its three edge functions.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> insideOf(D d, V least, V most) {
+  return hn::Or(hn::Gt(least, hn::Zero(d)), hn::Lt(most, hn::Zero(d)));
+}
+
+// Lanes with a ray that meets an edge as exactly as float can tell, or, seldom, not quite: the scalar unit decides.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> onEdgeOf(D d, V least, V most) {
+  return hn::Eq(hn::Mul(least, most), hn::Zero(d));
 }
 
 // Whether a hit comes before what the ray has.
@@ -96,40 +111,35 @@ HWY_INLINE bool blockRay(const Geometry &geometry, Batch &batch, size_t i, uint3
 }
 
 // The same for the rays from `first` on whose lanes are set.
-HWY_NOINLINE bool blockRays(const Geometry &geometry, Batch &batch, size_t first, uint32_t lanes, uint32_t primitive,
+HWY_NOINLINE void blockRays(const Geometry &geometry, Batch &batch, size_t first, uint32_t lanes, uint32_t primitive,
                             const float *t, const float *u, const float *v) {
-  bool changed = false;
   while (lanes) {
     const uint32_t lane = nextBit(lanes);
-    changed |=
-        blockRay(geometry, batch, first + lane, primitive, {t[lane], u[lane], v[lane], geometry.base + primitive});
+    blockRay(geometry, batch, first + lane, primitive, {t[lane], u[lane], v[lane], geometry.base + primitive});
   }
-  return changed;
 }
 
-// Rays that meet an edge as exactly as float can tell: the scalar unit decides.
+// The scalar unit for the rays from `first` on whose lanes are set.
 template <bool kAny>
-HWY_NOINLINE bool intersectOnEdge(const Geometry &geometry, Batch &batch, uint32_t primitive, size_t first,
+HWY_NOINLINE void intersectOnEdge(const Geometry &geometry, Batch &batch, uint32_t primitive, size_t first,
                                   uint32_t lanes) {
-  bool changed = false;
   while (lanes) {
     const size_t i = first + nextBit(lanes);
     hal::Hit hit;
     if (!hal::intersectTriangle(hal::ShearedRay(batch.ray(i)), geometry.view.triangles[primitive], hit)) continue;
     hit.primitive = geometry.base + primitive;
     if constexpr (kAny) {
-      changed |= hit.t > 0 && hit.t < batch.t[i] && blockRay(geometry, batch, i, primitive, hit);
+      if (hit.t > 0 && hit.t < batch.t[i]) blockRay(geometry, batch, i, primitive, hit);
     } else if (improves(batch, i, hit)) {
       record(batch, i, hit);
-      changed = true;
     }
   }
-  return changed;
 }
 
-// One triangle against the rays from i on. Returns whether one of them has got a better hit, or is blocked.
+// One triangle against the rays from i on. There is no early end: whether rays meet what their window does, or have met
+// something nearer, cannot be foretold.
 template <bool kAny, bool kCommon>
-HWY_INLINE bool intersectTriangle(const Geometry &geometry, Batch &batch, const TriangleLanes &triangles, size_t lane,
+HWY_INLINE void intersectTriangle(const Geometry &geometry, Batch &batch, const TriangleLanes &triangles, size_t lane,
                                   size_t i) {
   const D16 d;
   const hn::RebindToUnsigned<D16> du;
@@ -141,55 +151,48 @@ HWY_INLINE bool intersectTriangle(const Geometry &geometry, Batch &batch, const 
   const auto wb = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
   const auto wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
   const auto least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
-  auto inside = hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
-  bool changed = false;
-  const auto onEdge = hn::And(inside, hn::Or(hn::Eq(least, zero), hn::Eq(most, zero)));
+  const auto onEdge = onEdgeOf(d, least, most), inside = insideOf(d, least, most);
   if (HWY_UNLIKELY(!hn::AllFalse(d, onEdge))) {
-    changed = intersectOnEdge<kAny>(geometry, batch, triangles.primitive[lane], i, bitsOf(d, onEdge));
-    inside = hn::AndNot(onEdge, inside);
+    intersectOnEdge<kAny>(geometry, batch, triangles.primitive[lane] - geometry.base, i, bitsOf(d, onEdge));
   }
-  const uint32_t primitive = geometry.base + triangles.primitive[lane];
+  const auto primitive = hn::Set(du, triangles.primitive[lane]);
   const auto scale = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(wa, wb), wc));
   const auto height = hn::Add(hn::Add(hn::Mul(wa, a.z), hn::Mul(wb, b.z)), hn::Mul(wc, c.z));
   const auto t = hn::Mul(hn::Mul(height, hn::Load(d, batch.sz + i)), scale);
   const auto best = hn::Load(d, batch.t + i);
   auto better = hn::Lt(t, best);
   if constexpr (!kAny) {
-    const auto lower = hn::Lt(hn::Set(du, primitive), hn::Load(du, batch.primitive + i));
+    const auto lower = hn::Lt(primitive, hn::Load(du, batch.primitive + i));
     better = hn::Or(better, hn::And(hn::Eq(t, best), hn::RebindMask(d, lower)));
   }
   const auto accept = hn::And(inside, hn::And(hn::Gt(t, zero), better));
   const auto u = hn::Mul(wb, scale), v = hn::Mul(wc, scale);
   if constexpr (kAny) {
-    if (geometry.filters(triangles.primitive[lane])) {
-      if (hn::AllFalse(d, accept)) return changed;
+    const uint32_t inSet = triangles.primitive[lane] - geometry.base;
+    if (geometry.filters(inSet)) {
+      if (hn::AllFalse(d, accept)) return;
       alignas(64) float lanes[3][kLanes];
       hn::Store(t, d, lanes[0]);
       hn::Store(u, d, lanes[1]);
       hn::Store(v, d, lanes[2]);
-      changed |=
-          blockRays(geometry, batch, i, bitsOf(d, accept), triangles.primitive[lane], lanes[0], lanes[1], lanes[2]);
-      return changed;
+      return blockRays(geometry, batch, i, bitsOf(d, accept), inSet, lanes[0], lanes[1], lanes[2]);
     }
     hn::Store(hn::IfThenElse(accept, hn::Set(d, -kInfinity), best), d, batch.t + i);
   } else {
     hn::Store(hn::IfThenElse(accept, t, best), d, batch.t + i);
     hn::BlendedStore(u, accept, d, batch.u + i);
     hn::BlendedStore(v, accept, d, batch.v + i);
-    hn::BlendedStore(hn::Set(du, primitive), hn::RebindMask(du, accept), du, batch.primitive + i);
+    hn::BlendedStore(primitive, hn::RebindMask(du, accept), du, batch.primitive + i);
   }
-  return changed || !hn::AllFalse(d, accept);
 }
 
-// One triangle against a packet. Returns whether a ray has got a better hit, or is blocked.
+// One triangle against a packet.
 template <bool kAny, bool kCommon>
-HWY_INLINE bool intersectPacket(const Geometry &geometry, Batch &batch, const TriangleLanes &triangles, size_t lane,
+HWY_INLINE void intersectPacket(const Geometry &geometry, Batch &batch, const TriangleLanes &triangles, size_t lane,
                                 size_t packet) {
-  bool changed = false;
   for (size_t i = 0; i < kPacketRays; i += hn::Lanes(D16())) {
-    changed |= intersectTriangle<kAny, kCommon>(geometry, batch, triangles, lane, packet * kPacketRays + i);
+    intersectTriangle<kAny, kCommon>(geometry, batch, triangles, lane, packet * kPacketRays + i);
   }
-  return changed;
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
