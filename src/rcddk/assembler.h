@@ -137,13 +137,15 @@ class Assembler {
     triangle.v1 = b.position;
     triangle.v2 = c.position;
     triangle.material = mCall.material;
-    hal::setPlane(plane, triangle, attributes);
+    hal::setPlane(plane, triangle);
     attributes.uv[0] = a.uv;
     attributes.uv[1] = b.uv;
     attributes.uv[2] = c.uv;
-    attributes.color[0] = a.color;
-    attributes.color[1] = b.color;
-    attributes.color[2] = c.color;
+    if (mCall.colors.data) {  // else nobody asks, and memory need not take them
+      attributes.color[0] = a.color;
+      attributes.color[1] = b.color;
+      attributes.color[2] = c.color;
+    }
     const Vec3 front = frontOf(plane.flatNormal);
     attributes.normal[0] = normalOf(a, front);
     attributes.normal[1] = normalOf(b, front);

@@ -121,6 +121,7 @@ void appendTriangles(const DrawCall &call, GeometrySet &set, const Workers &work
     throw;
   }
   set.filtersShadow |= (call.flags & hal::kFiltersShadow) != 0;
+  set.interpolates |= call.normals.data || call.colors.data || call.flags & hal::kTangentFrame;
 }
 
 }  // namespace rc::ddk

@@ -57,7 +57,7 @@ struct GeometrySet {
   Rows<hal::TriangleAttributes> attributes;
   Array<Material> captured;  // of draws without a material object
   SkippedTriangles skipped;
-  bool filtersShadow = false;
+  bool filtersShadow = false, interpolates = false;  // as in hal::GeometryView
 
   bool empty() const { return triangles.empty(); }
 };

@@ -15,7 +15,7 @@ void recycle(GeometrySet &set) {
   set.attributes.clear();
   set.captured.clear();
   set.skipped = {};
-  set.filtersShadow = false;
+  set.filtersShadow = set.interpolates = false;
 }
 
 }  // namespace

@@ -35,22 +35,22 @@ inline constexpr uint32_t kAlphaTestMask = 7u << kAlphaTestShift;
 inline constexpr uint32_t kFiltersShadow =
     kTransmittanceShadow | kAlphaShadow | kCullFront | kCullBack | kAlphaTestMask;
 
-// Hot: what traversal and intersection read.
-struct HotTriangle {
+// Hot: what intersection reads, and every hit. One cache line.
+struct alignas(64) HotTriangle {
   Vec3 v0, v1, v2;    // 36
   uint32_t material;  //  4  below kNamedMaterials: a name; else kNamedMaterials + index into captured
   uint32_t flags;     //  4  TriangleFlag
   float leastOffset;  //  4  of rays that leave a sliver; else 0
+  Vec3 flatNormal;    // 12  unit length, on the counter-clockwise side
+  float doubleArea;   //  4
 };
-static_assert(sizeof(HotTriangle) == 48);
+static_assert(sizeof(HotTriangle) == 64);
 
-// Cold: what only the nearest hit needs. Without a texture and colours that is one cache line.
+// Cold: what hits interpolate between the corners. Without colours that is one cache line.
 struct alignas(64) TriangleAttributes {
-  Vec3 flatNormal;   // 12  unit length, on the counter-clockwise side
-  float doubleArea;  //  4
-  Vec3 normal[3];    // 36  unit length (between such where a clip plane cut), valid with kHasNormals
-  Vec2 uv[3];        // 24
-  Rgb color[3];      // 36  valid with kHasColors
+  Vec3 normal[3];  // 36  unit length (between such where a clip plane cut), valid with kHasNormals
+  Vec2 uv[3];      // 24
+  Rgb color[3];    // 36  valid with kHasColors
 };
 static_assert(sizeof(TriangleAttributes) == 128);
 
@@ -76,14 +76,12 @@ inline TrianglePlane planeOf(const Vec3 &v0, const Vec3 &v1, const Vec3 &v2) {
           sliver ? std::sqrt(longest) * std::min(kSliverError * slenderness, kMostOfEdge) : 0};
 }
 
-inline void setPlane(const TrianglePlane &plane, HotTriangle &triangle, TriangleAttributes &attributes) {
+inline void setPlane(const TrianglePlane &plane, HotTriangle &triangle) {
   triangle.leastOffset = plane.leastOffset;
-  attributes.flatNormal = plane.flatNormal;
-  attributes.doubleArea = plane.doubleArea;
+  triangle.flatNormal = plane.flatNormal;
+  triangle.doubleArea = plane.doubleArea;
 }
-inline void setPlane(HotTriangle &triangle, TriangleAttributes &attributes) {
-  setPlane(planeOf(triangle.v0, triangle.v1, triangle.v2), triangle, attributes);
-}
+inline void setPlane(HotTriangle &triangle) { setPlane(planeOf(triangle.v0, triangle.v1, triangle.v2), triangle); }
 
 inline constexpr uint32_t kNamedMaterials = 512;
 inline constexpr int32_t kNoTexture = -1;
@@ -170,6 +168,7 @@ struct GeometryView {
   std::span<const MaterialRow> captured;           // rows of draws without a material object
   AccelView accel;
   bool filtersShadow = false;  // some triangle has a flag of kFiltersShadow
+  bool interpolates = false;   // some triangle has normals or colours at its corners
 };
 
 struct SceneView {

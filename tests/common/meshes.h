@@ -134,7 +134,7 @@ struct TestScene {
 
   const hal::SceneView &update() {
     bool filters = false;
-    for (size_t i = 0; i < triangles.size(); ++i) hal::setPlane(triangles[i], attributes[i]);
+    for (hal::HotTriangle &triangle : triangles) hal::setPlane(triangle);
     for (const hal::HotTriangle &t : triangles) filters |= (t.flags & hal::kFiltersShadow) != 0;
     view.geometry[0] = {triangles, attributes, {}, accel.view(), filters};
     view.materials = materials;

@@ -151,7 +151,7 @@ void RandomScene::finish(Set &set) {
   for (size_t i = 0; i < set.triangles.size(); ++i) {
     HotTriangle &t = set.triangles[i];
     TriangleAttributes &attributes = set.attributes[i];
-    setPlane(t, attributes);
+    setPlane(t);
     const Vec3 corners[3] = {t.v0, t.v1, t.v2};
     for (size_t k = 0; k < 3; ++k) {
       attributes.uv[k] = {0.4f * corners[k].x + 0.1f * corners[k].z, 0.3f * corners[k].y + 0.2f * corners[k].z};

@@ -19,7 +19,7 @@ class FootprintTest : public testing::Test {
     attributes.uv[0] = {0, 0};
     attributes.uv[1] = {1, 0};
     attributes.uv[2] = {0, 1};
-    setPlane(triangle, attributes);
+    setPlane(triangle);
     texture.width = texture.height = kSide;
     texture.levelCount = 7;
     texture.anisotropy = 16;

@@ -52,7 +52,7 @@ inline Passage passageOf(const GeometryView &geometry, uint32_t index, const Vec
   const uint32_t flags = geometry.triangles[index].flags, sides = kCullFront | kCullBack;
   if ((flags & kFiltersShadow) == 0) return Passage::Blocked;
   if (flags & sides) {
-    const bool front = meetsFront(flags, geometry.attributes[index].flatNormal, direction);
+    const bool front = meetsFront(flags, geometry.triangles[index].flatNormal, direction);
     if (flags & (front ? kCullFront : kCullBack)) return Passage::Free;
   }
   return flags & kFiltersShadow & ~sides ? Passage::Filtered : Passage::Blocked;

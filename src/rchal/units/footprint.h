@@ -26,8 +26,8 @@ inline Footprint stretchedFootprint(const HotTriangle &triangle, const TriangleA
   const Vec2 du = attributes.uv[1] - attributes.uv[0], dv = attributes.uv[2] - attributes.uv[0];
   // A way on the plane, in texture coordinates.
   const auto onTexture = [&](const Vec3 &way) {
-    const float u = glm::dot(glm::cross(way, e2), normal) / attributes.doubleArea;
-    const float v = glm::dot(glm::cross(e1, way), normal) / attributes.doubleArea;
+    const float u = glm::dot(glm::cross(way, e2), normal) / triangle.doubleArea;
+    const float v = glm::dot(glm::cross(e1, way), normal) / triangle.doubleArea;
     return u * du + v * dv;
   };
   const auto lengthOf = [&](const Vec2 &way) {

@@ -38,7 +38,7 @@ inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, c
   // Interpolated from the vertices: closer to the triangle than origin + t * direction can be.
   const Vec3 p0 = w0 * triangle.v0, p1 = w1 * triangle.v1, p2 = w2 * triangle.v2;
   point.position = p0 + p1 + p2;
-  const Vec3 &geometric = attributes.flatNormal;
+  const Vec3 &geometric = triangle.flatNormal;
   const bool counterClockwise = glm::dot(geometric, direction) < 0;
   point.front = meetsFront(triangle.flags, geometric, direction);
   point.flatNormal = counterClockwise ? geometric : -geometric;

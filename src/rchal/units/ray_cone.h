@@ -17,14 +17,14 @@ namespace rc::hal {
 inline constexpr float kLeastCosine = 1e-3f;
 
 // Level of detail of a texture where a cone of this width meets a triangle.
-inline float levelOfDetail(const TriangleAttributes &attributes, const TextureView &texture, float coneWidth,
-                           float cosine) {
+inline float levelOfDetail(const HotTriangle &triangle, const TriangleAttributes &attributes,
+                           const TextureView &texture, float coneWidth, float cosine) {
   const Vec2 du = attributes.uv[1] - attributes.uv[0], dv = attributes.uv[2] - attributes.uv[0];
   const float texelArea =
       std::abs(du.x * dv.y - dv.x * du.y) * static_cast<float>(texture.width) * static_cast<float>(texture.height);
   // Half the logarithm of texels in an area times the area of the footprint.
   const float leastCosine = std::max(cosine, kLeastCosine);
-  const float texels = texelArea * (coneWidth * coneWidth), area = attributes.doubleArea * (leastCosine * leastCosine);
+  const float texels = texelArea * (coneWidth * coneWidth), area = triangle.doubleArea * (leastCosine * leastCosine);
   return 0.5f * log2Of(texels / area);
 }
 

@@ -106,7 +106,8 @@ class Shader {
       return sampleFootprint(texture, mPoint.uv, wraps, footprint);
     }
     const float cosine = std::abs(glm::dot(mPoint.flatNormal, mView));
-    return sampleTexture(texture, mPoint.uv, wraps, levelOfDetail(*mAttributes, texture, mConeWidth, cosine));
+    return sampleTexture(texture, mPoint.uv, wraps,
+                         levelOfDetail(*mTriangle, *mAttributes, texture, mConeWidth, cosine));
   }
 
   // A normal map holds 2 c - 1 along the tangent, the bitangent and the normal of its triangle.
@@ -140,8 +141,8 @@ class Shader {
   void shadeLocal(const Rgb &weight) {
     if (maxComponent(weight) <= 0) return;
     const SurfaceColours colours{mPoint.color * textured(mMaterial->ambient),
-                                 mPoint.color * textured(mMaterial->diffuse), mMaterial->specular,
-                                 mMaterial->shininess, mMaterial->leastShine};
+                                 mPoint.color * textured(mMaterial->diffuse), mMaterial->specular, mMaterial->shininess,
+                                 mMaterial->leastShine};
     add(weight * (mMaterial->emission + mScene.globalAmbient * colours.ambient));
     for (size_t i = 0; i < mScene.lights.size(); ++i) {
       const LightRow &light = mScene.lights[i];

@@ -26,7 +26,6 @@ struct CoordinateEdges {
     dvX = hn::Sub(s.c, s.a), dvY = hn::Sub(t.c, t.a);
   }
 };
-HWY_INLINE F doubleAreaOf(const SurfaceLanes &surface) { return surface.attributes.floats[kPlaneOffset + 3]; }
 
 // The level of detail of a texture where the rays' cones meet the surface.
 RC_STEP F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, const hal::TextureView &texture) {
@@ -35,7 +34,7 @@ RC_STEP F levelOfDetail(const RayLanes &rays, const SurfaceLanes &surface, const
   const F texelArea = hn::Mul(hn::Mul(area, all(float(texture.width))), all(float(texture.height)));
   const F cosine = hn::Max(hn::Abs(dot(surface.flatNormal, -rays.direction)), all(hal::kLeastCosine));
   const F texels = hn::Mul(texelArea, hn::Mul(rays.coneWidth, rays.coneWidth));
-  return hn::Mul(all(0.5f), log2Of(hn::Div(texels, hn::Mul(doubleAreaOf(surface), hn::Mul(cosine, cosine)))));
+  return hn::Mul(all(0.5f), log2Of(hn::Div(texels, hn::Mul(surface.doubleArea, hn::Mul(cosine, cosine)))));
 }
 
 struct FootprintLanes {
@@ -49,8 +48,8 @@ RC_STEP FootprintLanes stretchedFootprint(const RayLanes &rays, const SurfaceLan
   const V3 &normal = surface.flatNormal;
   const CoordinateEdges edges(surface);
   const auto onTexture = [&](const V3 &way, F &s, F &t) HWY_ATTR {
-    const F u = hn::Div(dot(cross(way, e2), normal), doubleAreaOf(surface));
-    const F v = hn::Div(dot(cross(e1, way), normal), doubleAreaOf(surface));
+    const F u = hn::Div(dot(cross(way, e2), normal), surface.doubleArea);
+    const F v = hn::Div(dot(cross(e1, way), normal), surface.doubleArea);
     s = hn::Add(hn::Mul(u, edges.duX), hn::Mul(v, edges.dvX));
     t = hn::Add(hn::Mul(u, edges.duY), hn::Mul(v, edges.dvY));
   };

@@ -193,13 +193,6 @@ HWY_INLINE void makeRoom(const Shading &shading) {
   for (size_t i = 0; i < shading.scene.lights.size(); ++i) out.shadows[i].reserve(out.shadows[i].size() + count);
 }
 
-// Starts to fetch so many bytes, wherever in a cache line they begin.
-HWY_INLINE void prefetch(const void *what, size_t size) {
-  const auto *bytes = static_cast<const char *>(what);
-  for (size_t i = 0; i < size; i += 64) hwy::Prefetch(bytes + i);
-  hwy::Prefetch(bytes + size - 1);
-}
-
 // So few triangles, with their attributes, are in the second-level cache as it is.
 constexpr size_t kFewTriangles = 1024;
 
@@ -207,9 +200,7 @@ constexpr size_t kFewTriangles = 1024;
 HWY_INLINE void prefetchTriangles(const Shading &shading) {
   const auto &sets = shading.scene.geometry;
   if (sets[0].triangles.size() + sets[1].triangles.size() <= kFewTriangles) return;
-  // Plane and normals come first; the rest mostly goes with textures.
-  const size_t attributes =
-      shading.scene.textures.empty() ? offsetof(hal::TriangleAttributes, uv) : sizeof(hal::TriangleAttributes);
+  const bool textured = !shading.scene.textures.empty();
   // The last of rays beside each other that hit the same one asks for it.
   const UTag du;
   for (size_t first = 0; first < shading.rays.size(); first += lanes()) {
@@ -218,8 +209,8 @@ HWY_INLINE void prefetchTriangles(const Shading &shading) {
         hn::And(hn::Ne(primitive, hn::Set(du, hal::kNoPrimitive)), lanesUpTo(du, first, shading.rays.size()));
     for (uint32_t bits = bitsOf(FTag(), hn::RebindMask(FTag(), hn::And(hit, hn::Ne(primitive, next)))); bits;) {
       const auto [geometry, index] = hal::placeOf(shading.scene, shading.hits.primitive[first + nextBit(bits)]);
-      prefetch(geometry.triangles.data() + index, sizeof(hal::HotTriangle));
-      prefetch(geometry.attributes.data() + index, attributes);
+      hwy::Prefetch(geometry.triangles.data() + index);
+      if (textured || geometry.interpolates) hwy::Prefetch(geometry.attributes.data() + index);
     }
   }
 }

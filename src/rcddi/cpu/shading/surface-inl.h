@@ -51,7 +51,6 @@ struct AttributeLanes {
 constexpr size_t kNormalOffset = offsetof(hal::TriangleAttributes, normal) / sizeof(float);
 constexpr size_t kUvOffset = offsetof(hal::TriangleAttributes, uv) / sizeof(float);
 constexpr size_t kColorOffset = offsetof(hal::TriangleAttributes, color) / sizeof(float);
-constexpr size_t kPlaneOffset = offsetof(hal::TriangleAttributes, flatNormal) / sizeof(float);
 
 struct SurfaceLanes {
   bool one;  // all lanes have one triangle
@@ -59,7 +58,7 @@ struct SurfaceLanes {
   M dynamic;       // lanes with triangles of the second set
   V3 vertices[3];  // where the width of rays is known
   V3 position, flatNormal, normal, color;
-  F leastOffset, safeOffset;
+  F leastOffset, safeOffset, doubleArea;
   F s, t;  // texture coordinates
   M front;
   AttributeLanes attributes;
@@ -123,8 +122,9 @@ RC_STEP void loadRow(const float *const (&places)[kMostLanes], bool one, size_t 
 
 RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const TrianglePlaces &places,
                            V3 (&vertices)[3], SurfaceLanes &out) {
-  F row[12];
-  for (size_t offset = 0; offset < 12; offset += 4) loadRow(places.triangle, places.one, offset, row + offset);
+  F row[sizeof(hal::HotTriangle) / sizeof(float)];
+  for (size_t offset = 0; offset < std::size(row); offset += 4)
+    loadRow(places.triangle, places.one, offset, row + offset);
   for (size_t k = 0; k < 3; ++k) {
     vertices[k] = {row[3 * k], row[3 * k + 1], row[3 * k + 2]};
     if (shading.cones) out.vertices[k] = vertices[k];
@@ -133,6 +133,8 @@ RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const T
   out.material = hn::BitCast(du, row[9]);
   out.flags = hn::BitCast(du, row[10]);
   out.leastOffset = row[11];
+  out.flatNormal = {row[12], row[13], row[14]};
+  out.doubleArea = row[15];
   out.one = places.one;
   const U firstDynamic = hn::Set(du, static_cast<uint32_t>(shading.scene.geometry[0].triangles.size()));
   if (!out.one) out.dynamic = hn::Not(hn::RebindMask(FTag(), hn::Lt(rays.primitive, firstDynamic)));
@@ -142,7 +144,6 @@ RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const T
       loadRow(places.attributes, places.one, k, out.attributes.floats + k);
     }
   };
-  attributes(kPlaneOffset, kPlaneOffset + 4);
   if (!none(hn::And(rays.found, hasFlag(out.flags, hal::kHasNormals | hal::kTangentFrame)))) {
     attributes(kNormalOffset, kNormalOffset + 9);
   }
@@ -183,7 +184,7 @@ RC_STEP void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceLane
   const F w0 = hn::Sub(hn::Sub(all(1), rays.u), rays.v), w1 = rays.u, w2 = rays.v;
   const V3 p0 = w0 * v0, p1 = w1 * v1, p2 = w2 * v2;
   out.position = p0 + p1 + p2;
-  const V3 geometric = corner(out.attributes, kPlaneOffset, 0);
+  const V3 geometric = out.flatNormal;
   const M counterClockwise = hn::Lt(dot(geometric, rays.direction), zero());
   out.front = hn::Xor(counterClockwise, hasFlag(out.flags, hal::kClockwiseFront));
   out.flatNormal = select(counterClockwise, geometric, -geometric);
