@@ -45,11 +45,14 @@ HWY_INLINE uint32_t lanesBefore(const float *near, const float *end) {
   return bits;
 }
 
+// Computed without a branch: which kind a child is, cannot be foretold.
 HWY_INLINE void prefetch(const hal::AccelView &accel, uint32_t child) {
-  const char *place = child & hal::BvhNode8::kLeaf
-                          ? reinterpret_cast<const char *>(&accel.blocks[child & ~hal::BvhNode8::kLeaf])
-                          : reinterpret_cast<const char *>(&accel.bvhNodes[child]);
-  for (int line = 0; line < 4; ++line) hwy::Prefetch(place + 64 * line);
+  const auto nodes = reinterpret_cast<uintptr_t>(accel.bvhNodes.data());
+  const auto blocks = reinterpret_cast<uintptr_t>(accel.blocks.data());
+  const uintptr_t leaf = child / hal::BvhNode8::kLeaf;  // 0 or 1
+  const uintptr_t size = sizeof(hal::BvhNode8) - leaf * (sizeof(hal::BvhNode8) - sizeof(hal::TriangleBlock4));
+  const uintptr_t place = nodes + (blocks - nodes) * leaf + (child & ~hal::BvhNode8::kLeaf) * size;
+  for (uintptr_t line = 0; line < 4; ++line) hwy::Prefetch(reinterpret_cast<const char *>(place + 64 * line));
 }
 
 // How many of the children whose bits are set lie beneath this one on a stack that has the least key on top. Theirs are
