@@ -68,13 +68,12 @@ HWY_INLINE size_t push(const hal::AccelView &accel, const hal::BvhNode8 &node, c
                        const SlabRay &ray, LanesEntry *stack, size_t depth) {
   alignas(32) float keys[hal::BvhNode8::kWidth];
   meets(node, ray, 0, keys);  // at whatever distance
-  for (uint32_t met = children.met; met;) {
-    const uint32_t child = nextBit(met);
+  visitBits<2>(children.met, [&](uint32_t child) HWY_ATTR {
     prefetch(accel, node.child[child]);
     LanesEntry &entry = stack[depth + countBeneath(keys, children.met, child)];
     entry.child = node.child[child];
     std::memcpy(entry.near, children.near[child], sizeof entry.near);
-  }
+  });
   return depth + hwy::PopCount(children.met);
 }
 

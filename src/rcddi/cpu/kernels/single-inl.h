@@ -88,11 +88,10 @@ struct StackEntry {
 HWY_INLINE uint32_t descend(const hal::AccelView &accel, const hal::BvhNode8 &node, uint32_t bits,
                             const float (&distance)[hal::BvhNode8::kWidth], StackEntry *stack, size_t &depth) {
   if (HWY_LIKELY(!(bits & (bits - 1)))) return node.child[nextBit(bits)];
-  for (uint32_t rest = bits; rest;) {
-    const uint32_t lane = nextBit(rest);
+  visitBits<2>(bits, [&](uint32_t lane) HWY_ATTR {
     prefetch(accel, node.child[lane]);
     stack[depth + countBeneath(distance, bits, lane)] = {node.child[lane], distance[lane]};
-  }
+  });
   depth += hwy::PopCount(bits) - 1;
   return stack[depth].child;
 }

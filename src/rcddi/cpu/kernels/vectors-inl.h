@@ -86,6 +86,20 @@ HWY_INLINE uint32_t nextBit(uint32_t &bits) {
   return bit;
 }
 
+// Visits the bits that are set, the lowest first, kAtOnce at a time, the last one again where there are fewer: a loop
+// that mostly runs once is foretold better. Visiting a bit again must change nothing.
+template <size_t kAtOnce, class Visit>
+HWY_INLINE void visitBits(uint32_t bits, Visit &&visit) {
+  while (bits) {
+    uint32_t bit = 0;
+    for (size_t i = 0; i < kAtOnce; ++i) {
+      bit = bits ? static_cast<uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)) : bit;
+      bits = bits ? bits & (bits - 1) : 0;
+      visit(bit);
+    }
+  }
+}
+
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
