@@ -20,7 +20,8 @@ Frame::Frame(const FrameState &state, Scene &scene)
 
 const hal::SceneView &Frame::view() {
   const auto viewOf = [](const GeometrySet &set, const Accel &accel, std::span<const hal::MaterialRow> captured) {
-    return hal::GeometryView{set.triangles, set.attributes, captured, accel.view(), set.filtersShadow, set.interpolates};
+    return hal::GeometryView{set.triangles, set.attributes,    captured,
+                             accel.view(),  set.filtersShadow, set.interpolates};
   };
   mView.geometry = {viewOf(mScene.statics(), mScene.staticAccel(), mStaticCaptured),
                     viewOf(mDynamics, mScene.dynamicAccel(), mDynamicCaptured)};

@@ -46,6 +46,7 @@ struct alignas(64) Beam {
   float side;                          // the sign of the depths at which rays lie, as far as that can be said
   float rounding;                      // of coordinates from where the rays meet
   uint32_t packets;                    // a bit for each that takes part
+  bool asksRays;                       // triangles are small: single rays tell which of them a packet is tested with
 
   // How far rays go by the point where they meet, and beyond it.
   float reach() const {

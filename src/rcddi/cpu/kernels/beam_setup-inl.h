@@ -114,7 +114,8 @@ HWY_INLINE void setWindows(const Hulls &hulls, float margin, Beam &beam) {
 
 // The hull of the batch without packets that get wider than `widest`: these are not in
 // beam.packets.
-HWY_INLINE void makeBeam(const Batch &batch, const hal::AccelView &accel, float widest, bool endless, Beam &beam) {
+HWY_INLINE void makeBeam(const Batch &batch, const hal::AccelView &accel, float widest, float fine, bool endless,
+                         Beam &beam) {
   const D16 d;
   using V = hn::Vec<D16>;
   const float extent = glm::length(accel.bounds.size());
@@ -126,13 +127,16 @@ HWY_INLINE void makeBeam(const Batch &batch, const hal::AccelView &accel, float 
   beam.side = before ? -1.0f : 1.0f;
   beam.rounding = margin;
   beam.packets = 0;
+  beam.asksRays = false;
   for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
     V bounds[kBounds];
     boundsOf(d, hulls, i, before, margin, bounds);
-    const auto narrow = hn::Le(spread(d, batch, beam, bounds, accel.core), hn::Set(d, widest));
+    const V width = spread(d, batch, beam, bounds, accel.core);
+    const auto narrow = hn::Le(width, hn::Set(d, widest));
     const auto there = lanesUpTo(d, i, batch.packets);
     const auto takesPart = hn::And(narrow, there);
     beam.packets |= bitsOf(d, takesPart) << i;
+    beam.asksRays |= !hn::AllFalse(d, hn::And(takesPart, hn::Gt(width, hn::Set(d, fine))));
     bounds[kXUpper] = hn::IfThenElse(takesPart, bounds[kXUpper], hn::Set(d, -kInfinity));
     bounds[kFar] = hn::IfThenElse(takesPart, bounds[kFar], hn::Set(d, -kFarthest));
     for (size_t k = 0; k < kBounds; ++k) hn::Store(bounds[k], d, beam.bounds[k] + i);

@@ -147,8 +147,8 @@ HWY_INLINE void setSlopes(const Batch &batch, const Beam &beam, size_t packet, R
 }
 
 // Whether some ray of the packet may meet the triangle: one that is not blocked yet and does not start on it. Of what a
-// window holds, shadow rays miss more than half, and finding that out here costs a third of the test. Other rays miss
-// less, and gain nothing.
+// window holds, shadow rays miss more than half, and so do others where triangles are smaller than packets; finding
+// that out here costs a third of the test.
 HWY_INLINE bool seenByRays(const TriangleLanes &triangles, const Outlines &outlines, const Batch &batch,
                            const RaySlopes &slopes, size_t packet, size_t triangle) {
   const D16 d;
@@ -174,16 +174,16 @@ HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &be
   for (size_t i = 0; i < leaves.count; ++i) addBlock(geometry, *leaves.blocks[i], batch, i, triangles);
   for (size_t i = leaves.count; i < WaitingLeaves::kMost; ++i) clearQuarter(i, triangles);
   Outlines outlines;
-  outline<kAny>(triangles, batch, beam, outlines);
+  outline(triangles, batch, beam, outlines);
   Pairs pairs;
   RaySlopes slopes;
   while (leaves.packets) {
     const uint32_t packet = nextBit(leaves.packets);
-    if constexpr (kAny) setSlopes(batch, beam, packet, slopes);
+    if (beam.asksRays) setSlopes(batch, beam, packet, slopes);
     for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) pairs.add(packet, i, trianglesIn(outlines, beam, packet, i));
   }
   leaves.tests += pairs.size();
-  if constexpr (kAny) {
+  if (beam.asksRays) {
     pairs.keepIf([&](const Pairs::Pair &pair)
                      HWY_ATTR { return seenByRays(triangles, outlines, batch, slopes, pair.packet, pair.triangle); });
   }

@@ -25,6 +25,10 @@ constexpr size_t kFewPackets = 2;
 // half and double that make little difference.
 constexpr float kMostGrains = 6;
 
+// With more triangles than this side by side, rays are asked one by one which of them they may meet; those that look
+// for what blocks them, always.
+constexpr float kFineGrains = 2;
+
 inline float widest(const hal::AccelView &accel) {
   return std::min(0.25f * glm::length(accel.core.size()), kMostGrains * accel.grain);
 }
@@ -92,7 +96,10 @@ HWY_INLINE void traceBatch(const Geometry &geometry, Batch &batch) {
   const bool endless = !kAny && geometry.base == 0;  // rays end where they hit another geometry
   Beam beam;
   beam.packets = 0;
-  if (batch.packets > kFewPackets) makeBeam(batch, geometry.view.accel, widest(geometry.view.accel), endless, beam);
+  if (batch.packets > kFewPackets) {
+    const hal::AccelView &accel = geometry.view.accel;
+    makeBeam(batch, accel, widest(accel), kAny ? -1 : kFineGrains * accel.grain, endless, beam);
+  }
   if (beam.packets && !walkPackets<kAny>(geometry, batch, beam)) beam.packets = 0;
   for (size_t packet = 0; packet < batch.packets; ++packet) {
     if (!(beam.packets >> packet & 1)) walkInLanes<kAny>(geometry, batch, packet);

@@ -133,8 +133,6 @@ HWY_INLINE void widenForRays(D d, float reach, V (&out)[kOutlineBounds]) {
   }
 }
 
-// kAny: single rays ask too.
-template <bool kAny>
 HWY_INLINE void outline(const TriangleLanes &triangles, const Batch &batch, const Beam &beam, Outlines &out) {
   const D16 d;
   const hn::RebindToUnsigned<D16> du;
@@ -170,10 +168,14 @@ HWY_INLINE void outline(const TriangleLanes &triangles, const Batch &batch, cons
       }
       setPlanes(d, open, corners, beam.side, beam.reach(), beam.rounding, bounds);
     }
-    if constexpr (kAny) widenForRays(d, beam.reach(), bounds);
     // Not a loop: compilers leave one of so many turns as it is, and all bounds in memory.
-    [&]<size_t... k>(std::index_sequence<k...>) HWY_ATTR { (hn::Store(bounds[k], d, out.bounds[k] + i), ...); }
-    (std::make_index_sequence < kAny ? kOutlineBounds : kWide > ());
+    const auto store = [&]<size_t... k>(std::index_sequence<k...>) HWY_ATTR {
+      (hn::Store(bounds[k], d, out.bounds[k] + i), ...);
+    };
+    store(std::make_index_sequence<kWide>());
+    if (!beam.asksRays) continue;
+    widenForRays(d, beam.reach(), bounds);
+    for (size_t k = kWide; k < kOutlineBounds; ++k) hn::Store(bounds[k], d, out.bounds[k] + i);
   }
 }
 
