@@ -104,30 +104,30 @@ class Pairs {
     size_t packet, triangle;
   };
 
-  size_t size() const { return size_; }
-  Pair operator[](size_t i) const { return {items_[i] / kLanes, items_[i] % kLanes}; }
+  size_t size() const { return mSize; }
+  Pair operator[](size_t i) const { return {mItems[i] / kLanes, mItems[i] % kLanes}; }
   // The triangles of the mask, the first lane of which is `first`.
   HWY_INLINE void add(size_t packet, size_t first, hn::Mask<D16> triangles) {
     const hn::RebindToUnsigned<D16> du;
     const auto items = countFrom(du, packet * kLanes + first);
-    hn::StoreU(packed(du, items, hn::RebindMask(du, triangles)), du, items_ + size_);
-    size_ += hn::CountTrue(D16(), triangles);
+    hn::StoreU(packed(du, items, hn::RebindMask(du, triangles)), du, mItems + mSize);
+    mSize += hn::CountTrue(D16(), triangles);
   }
   // stays(pair): whether.
   template <class Stays>
   HWY_INLINE void keepIf(Stays &&stays) {
     size_t kept = 0;
-    for (size_t i = 0; i < size_; ++i) {
-      const uint32_t item = items_[i];
-      items_[kept] = item;
+    for (size_t i = 0; i < mSize; ++i) {
+      const uint32_t item = mItems[i];
+      mItems[kept] = item;
       kept += stays((*this)[i]);
     }
-    size_ = kept;
+    mSize = kept;
   }
 
  private:
-  uint32_t items_[(kPackets + 1) * kLanes];  // packet * kLanes + triangle; room for a vector
-  size_t size_ = 0;
+  uint32_t mItems[(kPackets + 1) * kLanes];  // packet * kLanes + triangle; room for a vector
+  size_t mSize = 0;
 };
 
 // What single rays are asked with: their slopes; NaN for those that are blocked, which then meet nothing.

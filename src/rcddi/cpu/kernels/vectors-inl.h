@@ -94,7 +94,7 @@ HWY_INLINE void visitBits(uint32_t bits, Visit &&visit) {
     uint32_t bit = 0;
     for (size_t i = 0; i < kAtOnce; ++i) {
       bit = bits ? static_cast<uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)) : bit;
-      bits = bits ? bits & (bits - 1) : 0;
+      bits &= bits - 1;
       visit(bit);
     }
   }

@@ -201,13 +201,13 @@ HWY_INLINE void prefetchTriangles(const Shading &shading) {
   const auto &sets = shading.scene.geometry;
   if (sets[0].triangles.size() + sets[1].triangles.size() <= kFewTriangles) return;
   const bool textured = !shading.scene.textures.empty();
-  // The last of rays beside each other that hit the same one asks for it.
+  const size_t count = shading.rays.size();
   const UTag du;
-  for (size_t first = 0; first < shading.rays.size(); first += lanes()) {
+  for (size_t first = 0; first < count; first += lanes()) {
     const U primitive = load(shading.hits.primitive, first), next = load(shading.hits.primitive, first + 1);
-    const auto hit =
-        hn::And(hn::Ne(primitive, hn::Set(du, hal::kNoPrimitive)), lanesUpTo(du, first, shading.rays.size()));
-    for (uint32_t bits = bitsOf(FTag(), hn::RebindMask(FTag(), hn::And(hit, hn::Ne(primitive, next)))); bits;) {
+    const auto hit = hn::And(lanesUpTo(du, first, count), hn::Ne(primitive, hn::Set(du, hal::kNoPrimitive)));
+    const auto repeated = hn::And(lanesUpTo(du, first + 1, count), hn::Eq(primitive, next));
+    for (uint32_t bits = bitsOf(du, hn::AndNot(repeated, hit)); bits;) {  // the last of each run asks for it
       const auto [geometry, index] = hal::placeOf(shading.scene, shading.hits.primitive[first + nextBit(bits)]);
       hwy::Prefetch(geometry.triangles.data() + index);
       if (textured || geometry.interpolates) hwy::Prefetch(geometry.attributes.data() + index);

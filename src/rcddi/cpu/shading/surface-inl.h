@@ -123,8 +123,7 @@ RC_STEP void loadRow(const float *const (&places)[kMostLanes], bool one, size_t 
 RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const TrianglePlaces &places,
                            V3 (&vertices)[3], SurfaceLanes &out) {
   F row[sizeof(hal::HotTriangle) / sizeof(float)];
-  for (size_t offset = 0; offset < std::size(row); offset += 4)
-    loadRow(places.triangle, places.one, offset, row + offset);
+  for (size_t k = 0; k < std::size(row); k += 4) loadRow(places.triangle, places.one, k, row + k);
   for (size_t k = 0; k < 3; ++k) {
     vertices[k] = {row[3 * k], row[3 * k + 1], row[3 * k + 2]};
     if (shading.cones) out.vertices[k] = vertices[k];
