@@ -180,9 +180,9 @@ HWY_INLINE void intersectTriangle(const Geometry &geometry, Batch &batch, const 
     hn::Store(hn::IfThenElse(accept, hn::Set(d, -kInfinity), best), d, batch.t + i);
   } else {
     hn::Store(hn::IfThenElse(accept, t, best), d, batch.t + i);
-    hn::BlendedStore(u, accept, d, batch.u + i);
-    hn::BlendedStore(v, accept, d, batch.v + i);
-    hn::BlendedStore(primitive, hn::RebindMask(du, accept), du, batch.primitive + i);
+    storeWhere(d, accept, u, batch.u + i);
+    storeWhere(d, accept, v, batch.v + i);
+    storeWhere(du, hn::RebindMask(du, accept), primitive, batch.primitive + i);
   }
 }
 
