@@ -48,7 +48,8 @@ HWY_INLINE uint32_t testBlock(D d, const hal::TriangleBlock4 &block, const Batch
     const V wb = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
     const V wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
     const V least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
-    const auto onEdge = onEdgeOf(d, least, most), inside = insideOf(d, least, most);
+    const V side = sideOf(least, most);
+    const auto onEdge = hn::Eq(side, zero), inside = hn::Gt(side, zero);
     const V scale = hn::Div(hn::Set(d, 1.0f), hn::Add(hn::Add(wa, wb), wc));
     const V height = hn::Add(hn::Add(hn::Mul(wa, a.z), hn::Mul(wb, b.z)), hn::Mul(wc, c.z));
     const V t = hn::Mul(hn::Mul(height, spread(batch.sz)), scale);

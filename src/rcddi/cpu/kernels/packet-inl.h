@@ -73,16 +73,12 @@ HWY_INLINE Corner<hn::Vec<D16>> shear(const Batch &batch, const float (&vertex)[
   return {hn::Sub(x, hn::Mul(hn::Load(d, batch.sx + i), z)), hn::Sub(y, hn::Mul(hn::Load(d, batch.sy + i), z)), z};
 }
 
-// Lanes with a ray inside a triangle, from the least and the most of its three edge functions.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> insideOf(D d, V least, V most) {
-  return hn::Or(hn::Gt(least, hn::Zero(d)), hn::Lt(most, hn::Zero(d)));
-}
-
-// Lanes with a ray that meets an edge as exactly as float can tell, or, seldom, not quite: the scalar unit decides.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> onEdgeOf(D d, V least, V most) {
-  return hn::Eq(hn::Mul(least, most), hn::Zero(d));
+// On which side of a triangle's edges a ray goes by, from the least and the most of the three edge functions: above 0
+// inside, below 0 outside. 0: it meets an edge as exactly as float can tell, or all three are tiny; the scalar unit
+// decides.
+template <class V>
+HWY_INLINE V sideOf(V least, V most) {
+  return hn::Mul(least, most);
 }
 
 // Whether a hit comes before what the ray has.
@@ -151,7 +147,8 @@ HWY_INLINE void intersectTriangle(const Geometry &geometry, Batch &batch, const 
   const auto wb = hn::Sub(hn::Mul(a.x, c.y), hn::Mul(a.y, c.x));
   const auto wc = hn::Sub(hn::Mul(b.x, a.y), hn::Mul(b.y, a.x));
   const auto least = hn::Min(hn::Min(wa, wb), wc), most = hn::Max(hn::Max(wa, wb), wc);
-  const auto onEdge = onEdgeOf(d, least, most), inside = insideOf(d, least, most);
+  const auto side = sideOf(least, most);
+  const auto onEdge = hn::Eq(side, zero), inside = hn::Gt(side, zero);
   if (HWY_UNLIKELY(!hn::AllFalse(d, onEdge))) {
     intersectOnEdge<kAny>(geometry, batch, triangles.primitive[lane] - geometry.base, i, bitsOf(d, onEdge));
   }
