@@ -5,8 +5,9 @@
 //   ray generation -> traversal & intersection -> hit point and shading -> shadow rays -> next generation
 // In: SceneView, a tile.  Out: pixels of the Target.
 //
-// There is no recursion: secondary rays wait in one queue for each number of bounces. The deepest queue with rays for
-// a batch is served first, which bounds what is waiting: less than three batches for each bounce.
+// There is no recursion: the primary rays of a tile are traced at once, all others wait in one queue for each number of
+// bounces. The deepest queue with rays for a batch is served first, which bounds what is waiting: less than three
+// batches, or tiles, for each bounce.
 // Colours are summed in an order that depends on the tile alone, so the threads do not change the picture.
 #pragma once
 
@@ -25,9 +26,10 @@ namespace rc::hal {
 
 // How a device does the work of the units, a batch at a time. This one asks the scalar units, item by item.
 struct ScalarUnits {
-  // A ray through each pixel of the tile, in their order.
+  // A ray through each pixel of the tile, in their order. rays: those of an earlier tile of the frame, or none.
   static void generate(const SceneView &scene, const Tile &tile, const TilePixels &pixels, PixelSample sample,
                        RayQueue &rays) {
+    rays.resize(0);
     for (size_t i = 0; i < pixels.size(); ++i) {
       RayItem item = primaryRay(scene.camera, tile.column + pixels.column[i], tile.row + pixels.row[i], sample);
       item.pixel = static_cast<uint32_t>(i);
@@ -69,8 +71,11 @@ class TileTracer {
     }
   }
 
-  const RayCounts &counts() const { return mCounts; }
-  void resetCounts() { mCounts = {}; }
+  const RayCounts &counts() const { return mCounts; }  // of the frame
+  void beginFrame() {
+    mCounts = {};
+    mPrimary.resize(0);
+  }
 
  private:
   void traceTile(const SceneView &scene, const Tile &tile, const Target &target) {
@@ -94,6 +99,7 @@ class TileTracer {
   }
 
   void dropRays() {
+    mPrimary.resize(0);
     for (RayQueue &queue : mQueues) queue.resize(0);
     for (ShadowQueue &queue : mShadows) queue.resize(0);
   }
@@ -119,8 +125,9 @@ class TileTracer {
   // A ray through each of the pixels; what it brings is in mSum, in their order.
   void traceSample(const SceneView &scene, const Tile &tile, const TilePixels &pixels, PixelSample sample) {
     mSum.clear(pixels.size());
-    timed(scene, &UnitTimes::generate, [&] { mUnits.generate(scene, tile, pixels, sample, mQueues[0]); });
+    timed(scene, &UnitTimes::generate, [&] { mUnits.generate(scene, tile, pixels, sample, mPrimary); });
     mCounts.primary += pixels.size();
+    traceRays(scene, 0, mPrimary, mQueues[0], mQueues[1]);
     traceGenerations(scene);
   }
 
@@ -162,11 +169,16 @@ class TileTracer {
   // Takes the last rays off the queue.
   void traceBatch(const SceneView &scene, int bounces, RayQueue &queue, RayQueue &next) {
     queue.takeLast(std::min(queue.size(), mBatch), mRays);
-    mHits.resize(mRays.size());
+    traceRays(scene, bounces, mRays, queue, next);
+  }
+
+  // same: the queue of rays that went straight on.
+  void traceRays(const SceneView &scene, int bounces, const RayQueue &rays, RayQueue &same, RayQueue &next) {
+    mHits.resize(rays.size());
     timed(scene, bounces == 0 ? &UnitTimes::primary : &UnitTimes::secondary,
-          [&] { mUnits.closestHits(scene, mRays, mHits); });
+          [&] { mUnits.closestHits(scene, rays, mHits); });
     timed(scene, &UnitTimes::shade, [&] {
-      mUnits.shade(scene, mRays, mHits, {mSum.view(), mShadows, queue, next, mCounts, bounces});
+      mUnits.shade(scene, rays, mHits, {mSum.view(), mShadows, same, next, mCounts, bounces});
     });
     for (size_t light = 0; light < scene.lights.size(); ++light) {
       if (mShadows[light].size() == 0) continue;
@@ -198,7 +210,8 @@ class TileTracer {
   TilePixels mPixels;             // all of the tile
   PixelChoice mChoice;            // of several samples: those of them that get all
   std::vector<RayQueue> mQueues;  // by number of bounces
-  RayQueue mRays;                 // the batch in hand
+  RayQueue mPrimary;              // of the last tile
+  RayQueue mRays;                 // the batch of others in hand
   HitQueue mHits;
   std::vector<ShadowQueue> mShadows;  // by light
   Sums mSum, mPicture;

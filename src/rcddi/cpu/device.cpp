@@ -29,7 +29,7 @@ class CpuDevice final : public Device {
     clearOutsideViewport(scene, target);
     const PixelRect part = tracedPart(scene, target);
     const int across = (part.columns + kTileSize - 1) / kTileSize, down = (part.rows + kTileSize - 1) / kTileSize;
-    for (TileTracer<CpuUnits> &tracer : mTracers) tracer.resetCounts();
+    for (TileTracer<CpuUnits> &tracer : mTracers) tracer.beginFrame();
     const size_t tiles = size_t(across) * size_t(down);
     const auto trace = [&](size_t i, int worker) {
       const int column = int(i) % across * kTileSize, row = int(i) / across * kTileSize;

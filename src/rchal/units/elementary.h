@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // elementary.h: logarithm, exponential and power, good to a few units of the seventh digit. Our own, because those of
-// C libraries differ from each other: here every compiler, library and vector unit computes the same bits.
+// C libraries differ from each other: here every compiler, library and vector unit computes the same bits. Polynomials
+// by Estrin's scheme: few steps wait for each other.
 // (rcddi/cpu/shading/elementary-inl.h does the same operations in the same order.)
 #pragma once
 
@@ -30,9 +31,9 @@ inline float log2Of(float x) {
   const uint32_t offset = std::bit_cast<uint32_t>(x) - kHalfSquare;
   const auto exponent = static_cast<float>(static_cast<int32_t>(offset) >> 23);
   const float mantissa = std::bit_cast<float>((offset & 0x7fffff) + kHalfSquare);
-  const float s = (mantissa - 1) / (mantissa + 1), s2 = s * s;
-  const float series = kLog2[0] + s2 * (kLog2[1] + s2 * (kLog2[2] + s2 * (kLog2[3] + s2 * kLog2[4])));
-  return exponent + s * series;
+  const float s = (mantissa - 1) / (mantissa + 1), s2 = s * s, s4 = s2 * s2;
+  const float low = kLog2[0] + s2 * kLog2[1], high = kLog2[2] + s2 * kLog2[3];
+  return exponent + s * (low + s4 * (high + s4 * kLog2[4]));
 }
 
 // 2^x; 0 below 2^-126, 2^126 above.
@@ -41,9 +42,10 @@ inline float exp2Of(float x) {
   if (!(x >= -126)) return 0;
   const float clamped = std::min(x, 126.0f);
   const float whole = std::floor(clamped + 0.5f), f = clamped - whole;
-  float series = kExp2[6];
-  for (int k = 5; k >= 0; --k) series = kExp2[k] + f * series;
-  return series * std::bit_cast<float>(static_cast<uint32_t>(static_cast<int32_t>(whole) + 127) << 23);
+  const float f2 = f * f, f4 = f2 * f2;
+  const auto pair = [f](int k) { return kExp2[k] + f * kExp2[k + 1]; };
+  const float low = pair(0) + f2 * pair(2), high = pair(4) + f2 * kExp2[6];
+  return (low + f4 * high) * std::bit_cast<float>(static_cast<uint32_t>(static_cast<int32_t>(whole) + 127) << 23);
 }
 
 // base^exponent for base >= 0, exponent >= 0; 0^0 = 1.

@@ -59,8 +59,8 @@ inline LightTerm lightAt(const LightRow &light, const SurfacePoint &point, const
   term.direct = surface.diffuse * light.diffuse;
   const Rgb highlight = surface.specular * light.specular;
   if (maxComponent(highlight) > 0) {
-    const Vec3 mirrored = 2 * cosine * point.normal - term.direction;
-    const float towardsView = glm::dot(mirrored, view);
+    // The direction mirrored by the normal, times the view.
+    const float towardsView = 2 * cosine * glm::dot(point.normal, view) - glm::dot(term.direction, view);
     if (towardsView > surface.leastShine) {
       term.direct += highlight * powOf(std::max(towardsView, 0.0f), surface.shininess);
     }

@@ -121,17 +121,37 @@ RC_STEP void loadRow(const float *const (&places)[kMostLanes], size_t offset, F 
 #endif
 }
 
-// Packs the lanes of a mask together behind the end of a column that has room for all.
-HWY_INLINE void append(F value, M mask, size_t end, hal::FloatsOfQueue &column) {
-  hn::StoreU(packed(FTag(), value, mask), FTag(), column.data() + end);
+HWY_INLINE void store(F value, size_t first, hal::FloatsOfQueue &column) {
+  hn::StoreU(value, FTag(), column.data() + first);
 }
-HWY_INLINE void append(U value, M mask, size_t end, hal::NumbersOfQueue &column) {
-  hn::StoreU(packed(UTag(), value, hn::RebindMask(UTag(), mask)), UTag(), column.data() + end);
+HWY_INLINE void store(U value, size_t first, hal::NumbersOfQueue &column) {
+  hn::StoreU(value, UTag(), column.data() + first);
 }
-HWY_INLINE void append(const V3 &value, M mask, size_t end, hal::VectorsOfQueue &column) {
-  append(value.x, mask, end, column.x);
-  append(value.y, mask, end, column.y);
-  append(value.z, mask, end, column.z);
+HWY_INLINE void store(const V3 &value, size_t first, hal::VectorsOfQueue &column) {
+  store(value.x, first, column.x);
+  store(value.y, first, column.y);
+  store(value.z, first, column.z);
+}
+
+// The lanes of a mask together, first.
+HWY_INLINE F packed(F value, M mask) { return packed(FTag(), value, mask); }
+HWY_INLINE U packed(U value, M mask) { return packed(UTag(), value, hn::RebindMask(UTag(), mask)); }
+HWY_INLINE V3 packed(const V3 &value, M mask) {
+  return {packed(value.x, mask), packed(value.y, mask), packed(value.z, mask)};
+}
+
+// Appends an item for each lane of the mask to a queue that has room for a vector; fill(put) calls put(value, column)
+// for each of its columns. Returns how many. Mostly it is all lanes: then nothing need be packed.
+template <class Queue, class Fill>
+RC_STEP size_t append(M asked, hal::ColumnBlock<Queue> &queue, Fill &&fill) {
+  const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
+  if (count == lanes()) {
+    fill([&](const auto &value, auto &column) HWY_ATTR { store(value, end, column); });
+  } else {
+    fill([&](const auto &value, auto &column) HWY_ATTR { store(packed(value, asked), end, column); });
+  }
+  queue.resize(end + count);
+  return count;
 }
 
 // Adds to the sums of pixels. Mostly the pixels of a vector follow each other; else lane by lane, since several rays

@@ -52,15 +52,14 @@ HWY_INLINE bool isDark(const Rgb &colour) { return !(rc::maxComponent(colour) > 
 
 RC_STEP size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour,
                               const RayLanes &rays, M asked, hal::ShadowQueue &queue) {
-  const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
-  append(start(surface, direction), asked, end, queue.origin);
-  append(direction, asked, end, queue.direction);
-  append(colour, asked, end, queue.colour);
-  append(distance, asked, end, queue.distance);
-  append(rays.pixel, asked, end, queue.pixel);
-  append(rays.primitive, asked, end, queue.from);
-  queue.resize(end + count);
-  return count;
+  return append(asked, queue, [&](auto &&put) HWY_ATTR {
+    put(start(surface, direction), queue.origin);
+    put(direction, queue.direction);
+    put(colour, queue.colour);
+    put(distance, queue.distance);
+    put(rays.pixel, queue.pixel);
+    put(rays.primitive, queue.from);
+  });
 }
 
 // Adds the light to `own` where no shadow can be; asks its queue elsewhere. Returns how many shadow rays that made.
@@ -80,8 +79,8 @@ RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::Mat
   V3 direct = colours.diffuse * all(light.diffuse);
   const Rgb highlight = material.specular * light.specular;
   if (!isDark(highlight)) {
-    const V3 mirrored = hn::Mul(all(2), cosine) * surface.normal - direction;
-    const F towardsView = dot(mirrored, view);
+    // The direction mirrored by the normal, times the view.
+    const F towardsView = hn::Sub(hn::Mul(hn::Mul(all(2), cosine), dot(surface.normal, view)), dot(direction, view));
     const M shines = hn::And(facing, hn::Gt(towardsView, all(material.leastShine)));
     if (!none(shines)) {
       const F power = powOf(hn::Max(towardsView, zero()), all(material.shininess));

@@ -26,43 +26,46 @@ HWY_INLINE F windowPosition(float start, float size, int first, float offset, in
   return hn::Add(all(start), hn::Div(place, all(static_cast<float>(count))));
 }
 
-// All columns but origin and direction are the same for all rays of a camera; hal::primaryRay() tells them.
+// What is the same for all rays of a camera, from the rays that have it already on. hal::primaryRay() tells it.
+HWY_INLINE void fillCommonColumns(const hal::RayItem &one, float tolerance, size_t from, hal::RayQueue &rays) {
+  const size_t count = rays.size();
+  const UTag du;
+  for (size_t i = from / lanes() * lanes(); i < count; i += lanes()) {
+    store(all(one.ray.origin), i, rays.origin);
+    store(all(one.weight), i, rays.weight);
+    store(all(one.after.t), i, rays.afterT);
+    store(hn::Set(du, one.after.primitive), i, rays.afterPrimitive);
+    store(hn::Zero(du), i, rays.afterSeen);
+    store(hn::Zero(du), i, rays.layers);
+    store(all(one.coneWidth), i, rays.coneWidth);
+    store(all(one.travelled), i, rays.travelled);
+    store(all(tolerance), i, rays.tolerance);
+    store(countFrom(du, i), i, rays.pixel);
+  }
+}
+
+// rays: as many as there are have the common columns of this frame's.
 HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
                              hal::PixelSample sample, hal::RayQueue &rays) {
-  const FTag d;
-  const UTag du;
   const hal::CameraView &camera = scene.camera;
-  rays.resize(pixels.size());
   const hal::RayItem one = hal::primaryRay(camera, tile.column, tile.row, sample);
-  for (size_t i = 0; i < pixels.size(); i += lanes()) {
+  const size_t count = pixels.size(), before = rays.size();
+  rays.resize(count);
+  if (before < count) fillCommonColumns(one, scene.ignorable, before, rays);
+  for (size_t i = 0; i < count; i += lanes()) {
     const F x =
         windowPosition(camera.left, camera.width, tile.column, sample.place.x, camera.columns, &pixels.column[i]);
     const F y = windowPosition(camera.bottom, camera.height, tile.row, sample.place.y, camera.rows, &pixels.row[i]);
     const V3 inWindow = x * all(camera.right) + y * all(camera.up);
-    const V3 before = all(camera.back * camera.near);
-    V3 origin = all(camera.eye), direction = all(-camera.back);
+    const V3 toWindow = all(camera.back * camera.near);
+    store(all(one.coneSpread), i, rays.coneSpread);
     if (camera.parallel) {
-      origin = origin + x * all(camera.right) + y * all(camera.up) - before;
+      store(all(one.ray.direction), i, rays.direction);
+      store(all(camera.eye) + x * all(camera.right) + y * all(camera.up) - toWindow, i, rays.origin);
+      store(all(one.coneWidth), i, rays.coneWidth);
     } else {
-      direction = directionOf(inWindow - before, direction);
+      store(directionOf(inWindow - toWindow, all(-camera.back)), i, rays.direction);
     }
-    const auto store = [&](const V3 &value, hal::VectorsOfQueue &column) HWY_ATTR {
-      hn::StoreU(value.x, d, &column.x[i]);
-      hn::StoreU(value.y, d, &column.y[i]);
-      hn::StoreU(value.z, d, &column.z[i]);
-    };
-    store(origin, rays.origin);
-    store(direction, rays.direction);
-    store(all(one.weight), rays.weight);
-    hn::StoreU(all(one.after.t), d, &rays.afterT[i]);
-    hn::StoreU(hn::Set(du, one.after.primitive), du, &rays.afterPrimitive[i]);
-    hn::StoreU(hn::Zero(du), du, &rays.afterSeen[i]);
-    hn::StoreU(hn::Zero(du), du, &rays.layers[i]);
-    hn::StoreU(all(one.coneWidth), d, &rays.coneWidth[i]);
-    hn::StoreU(all(one.coneSpread), d, &rays.coneSpread[i]);
-    hn::StoreU(all(one.travelled), d, &rays.travelled[i]);
-    hn::StoreU(all(scene.ignorable), d, &rays.tolerance[i]);
-    hn::StoreU(countFrom(du, i), du, &rays.pixel[i]);
   }
 }
 

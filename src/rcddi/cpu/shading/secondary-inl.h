@@ -15,24 +15,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
+// The hit that rays go on behind: where, of what triangle, and whether something of it was seen.
+struct AfterHit {
+  F t;
+  U primitive, seen;
+};
+HWY_INLINE AfterHit afterNone() { return {zero(), hn::Set(UTag(), hal::kNoPrimitive), hn::Zero(UTag())}; }
+
 // A ray for each lane of the mask; the queue has room for a vector. Returns how many.
 RC_STEP size_t pushRays(const V3 &origin, const V3 &direction, const V3 &weight, F coneWidth, F coneSpread, F travelled,
-                        F tolerance, U layers, U pixel, M asked, hal::RayQueue &queue) {
-  const size_t end = queue.size(), count = hn::CountTrue(FTag(), asked);
-  append(origin, asked, end, queue.origin);
-  append(direction, asked, end, queue.direction);
-  append(weight, asked, end, queue.weight);
-  append(coneWidth, asked, end, queue.coneWidth);
-  append(coneSpread, asked, end, queue.coneSpread);
-  append(travelled, asked, end, queue.travelled);
-  append(tolerance, asked, end, queue.tolerance);
-  append(layers, asked, end, queue.layers);
-  append(pixel, asked, end, queue.pixel);
-  hn::StoreU(zero(), FTag(), queue.afterT.data() + end);
-  hn::StoreU(hn::Set(UTag(), hal::kNoPrimitive), UTag(), queue.afterPrimitive.data() + end);
-  hn::StoreU(hn::Zero(UTag()), UTag(), queue.afterSeen.data() + end);
-  queue.resize(end + count);
-  return count;
+                        F tolerance, U layers, U pixel, const AfterHit &after, M asked, hal::RayQueue &queue) {
+  return append(asked, queue, [&](auto &&put) HWY_ATTR {
+    put(origin, queue.origin);
+    put(direction, queue.direction);
+    put(weight, queue.weight);
+    put(coneWidth, queue.coneWidth);
+    put(coneSpread, queue.coneSpread);
+    put(travelled, queue.travelled);
+    put(tolerance, queue.tolerance);
+    put(layers, queue.layers);
+    put(pixel, queue.pixel);
+    put(after.t, queue.afterT);
+    put(after.primitive, queue.afterPrimitive);
+    put(after.seen, queue.afterSeen);
+  });
 }
 
 // Lanes whose rays, behind so many layers, are worth tracing.
@@ -53,15 +59,11 @@ RC_STEP void goStraightOn(const Shading &shading, const RayLanes &rays, const V3
   const U one = hn::Set(UTag(), 1);
   const U layers = hn::Add(load(from.layers, rays.first), hn::IfThenElseZero(hn::RebindMask(UTag(), there), one));
   const M asked = hn::And(missing, hn::Or(hn::Not(there), worthTracing(shading, weight, tolerance, layers, missing)));
-  hal::RayQueue &queue = shading.out.sameBounce;
-  const size_t end = queue.size();
-  const size_t count = pushRays(load(from.origin, rays.first), rays.direction, weight, load(from.coneWidth, rays.first),
-                                load(from.coneSpread, rays.first), load(from.travelled, rays.first), tolerance, layers,
-                                rays.pixel, asked, queue);
-  append(rays.t, asked, end, queue.afterT);
-  append(rays.primitive, asked, end, queue.afterPrimitive);
-  append(hn::IfThenElseZero(hn::RebindMask(UTag(), seen), one), asked, end, queue.afterSeen);
-  shading.out.counts.straight += count;
+  const AfterHit after{rays.t, rays.primitive, hn::IfThenElseZero(hn::RebindMask(UTag(), seen), one)};
+  shading.out.counts.straight +=
+      pushRays(load(from.origin, rays.first), rays.direction, weight, load(from.coneWidth, rays.first),
+               load(from.coneSpread, rays.first), load(from.travelled, rays.first), tolerance, layers, rays.pixel,
+               after, asked, shading.out.sameBounce);
 }
 
 class Secondary {
@@ -103,7 +105,7 @@ class Secondary {
   HWY_INLINE size_t bounce(const V3 &weight, const V3 &direction, F coneSpread, M traced) const {
     const V3 unit = directionOf(direction, mSurface.flatNormal);
     return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mTolerance, mLayers,
-                    mRays.pixel, traced, mShading.out.nextBounce);
+                    mRays.pixel, afterNone(), traced, mShading.out.nextBounce);
   }
 
   const Shading &mShading;

@@ -196,19 +196,34 @@ HWY_INLINE void makeRoom(const Shading &shading) {
 // So few triangles, with their attributes, are in the second-level cache as it is.
 constexpr size_t kFewTriangles = 1024;
 
-// Starts to fetch the triangles that were hit: when their vectors are shaded, they are there.
+// The triangles that rays from `first` on hit, once for each run of them. Returns how many; the list has room for a
+// vector behind that many rays.
+HWY_INLINE size_t listTriangles(const Shading &shading, size_t first, size_t end, uint32_t *list) {
+  const UTag du;
+  size_t size = 0;
+  for (size_t i = first; i < end; i += lanes()) {
+    const U primitive = load(shading.hits.primitive, i), next = load(shading.hits.primitive, i + 1);
+    const auto hit = hn::And(lanesUpTo(du, i, end), hn::Ne(primitive, hn::Set(du, hal::kNoPrimitive)));
+    const auto repeated = hn::And(lanesUpTo(du, i + 1, end), hn::Eq(primitive, next));
+    const auto last = hn::AndNot(repeated, hit);
+    hn::StoreU(packed(du, primitive, last), du, list + size);
+    size += hn::CountTrue(du, last);
+  }
+  return size;
+}
+
+// Starts to fetch the triangles that were hit: when their vectors are shaded, they are there. They are listed first:
+// where a list ends is foretold wrong but once, where the few of each vector end, again and again.
 HWY_INLINE void prefetchTriangles(const Shading &shading) {
   const auto &sets = shading.scene.geometry;
   if (sets[0].triangles.size() + sets[1].triangles.size() <= kFewTriangles) return;
   const bool textured = !shading.scene.textures.empty();
-  const size_t count = shading.rays.size();
-  const UTag du;
-  for (size_t first = 0; first < count; first += lanes()) {
-    const U primitive = load(shading.hits.primitive, first), next = load(shading.hits.primitive, first + 1);
-    const auto hit = hn::And(lanesUpTo(du, first, count), hn::Ne(primitive, hn::Set(du, hal::kNoPrimitive)));
-    const auto repeated = hn::And(lanesUpTo(du, first + 1, count), hn::Eq(primitive, next));
-    for (uint32_t bits = bitsOf(du, hn::AndNot(repeated, hit)); bits;) {  // the last of each run asks for it
-      const auto [geometry, index] = hal::placeOf(shading.scene, shading.hits.primitive[first + nextBit(bits)]);
+  constexpr size_t kAtOnce = 256;
+  uint32_t list[kAtOnce + kMostLanes];
+  for (size_t first = 0; first < shading.rays.size(); first += kAtOnce) {
+    const size_t size = listTriangles(shading, first, std::min(first + kAtOnce, shading.rays.size()), list);
+    for (size_t i = 0; i < size; ++i) {
+      const auto [geometry, index] = hal::placeOf(shading.scene, list[i]);
       hwy::Prefetch(geometry.triangles.data() + index);
       if (textured || geometry.interpolates) hwy::Prefetch(geometry.attributes.data() + index);
     }
