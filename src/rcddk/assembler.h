@@ -181,7 +181,10 @@ class Assembler {
 
   static bool hasNormal(const Corner &corner) { return corner.normal != Vec3(0); }
   // A corner without a usable normal gets the flat one.
-  static Vec3 normalOf(const Corner &corner, const Vec3 &front) { return hasNormal(corner) ? corner.normal : front; }
+  static Vec3 normalOf(const Corner &corner, const Vec3 &front) {
+    const bool own = hasNormal(corner);
+    return {own ? corner.normal.x : front.x, own ? corner.normal.y : front.y, own ? corner.normal.z : front.z};
+  }
 
   // Before a triangle is cut: each corner has its normal, so that the cut has what lies between them, at the length
   // that it has there, and what is left is shaded as it was.
