@@ -29,10 +29,13 @@ inline bool isFinite(const Vec3 &v) { return std::isfinite(v.x) && std::isfinite
 inline float maxComponent(const Vec3 &v) { return std::max(v.x, std::max(v.y, v.z)); }
 inline float minComponent(const Vec3 &v) { return std::min(v.x, std::min(v.y, v.z)); }
 
+// Lengths between these are those of vectors whose squares are no problem to float.
+inline constexpr float kLeastPlainLength = 1e-15f, kMostPlainLength = 1e15f;
+
 // |v|, also where its square is beyond float: of the normals of triangles 1e10 or 1e-10 large.
 inline float lengthOf(const Vec3 &v) {
   const float length = glm::length(v);
-  if (length > 1e-15f && length < 1e15f) return length;
+  if (length > kLeastPlainLength && length < kMostPlainLength) return length;
   const float largest = maxComponent(glm::abs(v));
   return largest > 0 && largest < kInfinity ? largest * glm::length(v / largest) : length;
 }

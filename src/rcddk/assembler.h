@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// assembler.h: the triangles of a draw call: transformed, skinned, clipped.
+// assembler.h: the triangles of a draw call: transformed, skinned, clipped, many side by side.
 // In: DrawCall, numbers of vertices.  Out: rows of triangles and attributes.  Next: rcddk/geometry.cpp
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "rcddk/clip.h"
-#include "rcddk/vertex_fetch.h"
+#include "rcddk/skin.h"
 #include "rcddk/vertex_stage.h"
 
 namespace rc::ddk {
@@ -19,25 +22,6 @@ struct Assembled {
   SkippedTriangles skipped;
 };
 
-// Inverse transpose of the upper 3 x 3 up to a positive factor; defined for singular matrices too.
-inline glm::mat3 normalMatrix(const Mat4 &worldFromObject) {
-  const Vec3 x(worldFromObject[0]), y(worldFromObject[1]), z(worldFromObject[2]);
-  const glm::mat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-  return glm::dot(x, cofactors[0]) < 0 ? -cofactors : cofactors;
-}
-
-// The matrix that skins a vertex: the sum of the palette's matrices by weight. [reference 4.7]
-inline Mat4 blend(const DrawCall &call, size_t element) {
-  Mat4 sum(0);
-  for (size_t k = 0; k < std::min(call.matrixIndices.components, call.weights.components); ++k) {
-    const float index = component(call.matrixIndices, element, k);
-    if (index < static_cast<float>(call.palette.size())) {
-      sum += component(call.weights, element, k) * call.palette[static_cast<size_t>(index)];
-    }
-  }
-  return sum;
-}
-
 class Assembler {
  public:
   Assembler(const DrawCall &call, const Assembled &out)
@@ -45,129 +29,158 @@ class Assembler {
     for (const ArrayView *array : {&call.vertices, &call.normals, &call.texCoords, &call.colors}) {
       if (array->data) mElements = std::min(mElements, array->elements);
     }
-    if (!call.texCoords.data) mTexCoord = transformed(call.texCoord);
-    if (call.palette.empty()) return;
-    mElements = std::min({mElements, call.matrixIndices.elements, call.weights.elements});
+    if (!call.palette.empty()) mElements = std::min({mElements, call.matrixIndices.elements, call.weights.elements});
+    if (!call.clipPlanes.empty()) mLeft = std::make_unique<TriangleColumns>();
+    const Vec2 texCoord = transformed(call.texCoord);  // where there is no array
+    for (auto &corner : mDrawn.uv) {
+      for (int axis = 0; axis < 2; ++axis) std::fill(std::begin(corner[axis]), std::end(corner[axis]), texCoord[axis]);
+    }
   }
 
   // A triangle of the draw call; `last` is the vertex that counts where shading is flat.
   void add(size_t i0, size_t i1, size_t i2, size_t last) {
-    Elements &elements = mWaiting[mCount];
-    elements = {{loadIndex(mCall.indices, i0), loadIndex(mCall.indices, i1), loadIndex(mCall.indices, i2)}, {}};
-    for (size_t i = 0; i < 3; ++i) {
-      elements.shading[i] = mCall.flatShading ? loadIndex(mCall.indices, last) : elements.vertices[i];
-      if (std::max(elements.vertices[i], elements.shading[i]) >= mElements) return void(++mOut.skipped.noData);
+    const size_t numbers[] = {i0, i1, i2};
+    for (size_t k = 0; k < 3; ++k) {
+      const size_t vertex = loadIndex(mCall.indices, numbers[k]);
+      const size_t shading = mCall.flatShading ? loadIndex(mCall.indices, last) : vertex;
+      if (std::max(vertex, shading) >= mElements) return void(++mOut.skipped.noData);
+      mVertices[k][mCount] = vertex;
+      mShading[k][mCount] = shading;
     }
-    if (++mCount == kWaiting) finishWaiting();
+    if (++mCount == TriangleColumns::kMost) finishDrawn();
   }
 
   // All that was added.
   const Assembled &result() {
-    finishWaiting();
+    finishDrawn();
     return mOut;
   }
 
  private:
-  static constexpr size_t kWaiting = VertexColumns::kMost / 3;
-
-  // Of the arrays: where the corners of a triangle have their positions, and where their normals and colours.
-  struct Elements {
-    size_t vertices[3], shading[3];
-  };
-
-  void finishWaiting() {
-    const size_t count = 3 * mCount;
-    for (size_t i = 0; i < count; ++i) fetch(mWaiting[i / 3].vertices[i % 3], mWaiting[i / 3].shading[i % 3], i);
-    if (mCall.palette.empty()) {
-      transformPositions(mCall.worldFromObject, count, mVertices);
-      if (mCall.normals.data) transformNormals(mNormalMatrix, count, mVertices);
-    }
-    for (size_t i = 0; i < mCount; ++i) addClipped(mWaiting[i], 3 * i);
-    mCount = 0;
+  // To and from columns of the lane.
+  template <size_t kAxes, class Vector>
+  static void put(const Vector &v, size_t lane, float (&columns)[kAxes][TriangleColumns::kRoom]) {
+    for (int axis = 0; axis < int(kAxes); ++axis) columns[axis][lane] = v[axis];
+  }
+  static Vec3 vectorAt(const float (&columns)[3][TriangleColumns::kRoom], size_t lane) {
+    return {columns[0][lane], columns[1][lane], columns[2][lane]};
+  }
+  static Vec2 vectorAt(const float (&columns)[2][TriangleColumns::kRoom], size_t lane) {
+    return {columns[0][lane], columns[1][lane]};
   }
 
-  void fetch(size_t element, size_t shading, size_t i) {
+  // Elements of arrays, loaded one by one.
+  template <size_t kAxes, class Load>
+  void fetch(const size_t *elements, float (&columns)[kAxes][TriangleColumns::kRoom], Load &&load) const {
+    for (size_t i = 0, count = mCount; i < count; ++i) put(load(elements[i]), i, columns);
+  }
+
+  void fetchCorners(size_t k) {
     const bool skinned = !mCall.palette.empty();
-    const Vec3 position = skinned ? skinnedPosition(element) : loadVec3(mCall.vertices, element);
-    for (int axis = 0; axis < 3; ++axis) mVertices.position[axis][i] = position[axis];
-    if (!mCall.normals.data) return;
-    const Vec3 normal = skinned ? skinnedNormal(shading) : loadVec3(mCall.normals, shading);
-    for (int axis = 0; axis < 3; ++axis) mVertices.normal[axis][i] = normal[axis];
+    const size_t *const vertices = mVertices[k], *const shading = mShading[k];
+    if (skinned) {
+      fetch(vertices, mDrawn.position[k], [&](size_t i) { return skinnedPosition(mCall, i); });
+    } else {
+      fetch(vertices, mDrawn.position[k], [&](size_t i) { return loadVec3(mCall.vertices, i); });
+    }
+    if (mCall.normals.data && skinned) {
+      fetch(shading, mDrawn.normal[k], [&](size_t i) { return skinnedNormal(mCall, mNormalMatrix, i); });
+    } else if (mCall.normals.data) {
+      fetch(shading, mDrawn.normal[k], [&](size_t i) { return loadVec3(mCall.normals, i); });
+    }
+    if (mCall.texCoords.data && mMovesTexCoords) {
+      fetch(vertices, mDrawn.uv[k], [&](size_t i) { return transformed(Vec4(loadVec2(mCall.texCoords, i), 0, 1)); });
+    } else if (mCall.texCoords.data) {
+      fetch(vertices, mDrawn.uv[k], [&](size_t i) { return loadVec2(mCall.texCoords, i); });
+    }
+    if (!mCall.colors.data) return;
+    fetch(shading, mDrawn.color[k], [&](size_t i) { return glm::clamp(loadColor(mCall.colors, i), 0.0f, 1.0f); });
   }
 
-  void addClipped(const Elements &elements, size_t first) {
-    const Corner a = corner(elements, 0, first), b = corner(elements, 1, first + 1), c = corner(elements, 2, first + 2);
-    if (mCall.clipPlanes.empty() || !isFinite(a.position + b.position + c.position)) return addTriangle(a, b, c);
-    Corner corners[3] = {a, b, c};
-    if (mCall.normals.data) completeNormals(corners);
+  void finishDrawn() {
+    for (size_t k = 0; k < 3; ++k) fetchCorners(k);
+    const size_t count = std::exchange(mCount, 0);
+    if (mCall.palette.empty()) {
+      transformPositions(mCall.worldFromObject, count, mDrawn);
+      if (mCall.normals.data) transformNormals(mNormalMatrix, count, mDrawn);
+    }
+    if (!mLeft) return finish(mDrawn, count);
+    complete(mDrawn, count);
+    for (size_t i = 0; i < count; ++i) clip(i);
+    finish(*mLeft, std::exchange(mLeftCount, 0));
+  }
+
+  void complete(TriangleColumns &columns, size_t count) const {
+    setPlanes(count, columns);
+    if (mCall.normals.data) completeNormals(mCall.flags & hal::kClockwiseFront, count, columns);
+  }
+
+  // What the clip planes leave of a triangle joins those that are left. Each of its corners has a normal then, or none
+  // has: the cut gets what lies between them, at the length that it has there, and what is left is shaded as it was.
+  void clip(size_t i) {
+    Corner corners[3];
+    for (size_t k = 0; k < 3; ++k) {
+      corners[k].position = vectorAt(mDrawn.position[k], i);
+      if (mDrawn.hasNormals[i]) corners[k].normal = vectorAt(mDrawn.normal[k], i);
+      corners[k].uv = vectorAt(mDrawn.uv[k], i);
+      if (mCall.colors.data) corners[k].color = vectorAt(mDrawn.color[k], i);
+    }
+    const auto &[a, b, c] = corners;
+    if (!isFinite(a.position + b.position + c.position)) return leave(a, b, c);  // to be counted
     const std::span<const Corner> left = mClipper.clip(corners, mCall.clipPlanes);
     if (left.empty()) ++mOut.skipped.clipped;
-    for (size_t i = 2; i < left.size(); ++i) addTriangle(left[0], left[i - 1], left[i]);
+    for (size_t k = 2; k < left.size(); ++k) leave(left[0], left[k - 1], left[k]);
   }
 
-  // Inlined with addTriangle, as corners that are no array: one that goes through memory is read there in other pieces
-  // than it was written in, which processors wait for.
-  [[gnu::always_inline]] Corner corner(const Elements &elements, size_t i, size_t column) const {
-    const auto vector = [column](const float(&columns)[3][VertexColumns::kRoom]) {
-      return Vec3(columns[0][column], columns[1][column], columns[2][column]);
-    };
-    Corner corner{.position = vector(mVertices.position), .uv = mTexCoord};
-    if (mCall.normals.data) corner.normal = vector(mVertices.normal);
-    if (mCall.texCoords.data) {
-      corner.uv = loadVec2(mCall.texCoords, elements.vertices[i]);
-      if (mMovesTexCoords) corner.uv = transformed(Vec4(corner.uv, 0, 1));
+  void leave(const Corner &a, const Corner &b, const Corner &c) {
+    const Corner *const corners[] = {&a, &b, &c};
+    for (size_t k = 0; k < 3; ++k) {
+      put(corners[k]->position, mLeftCount, mLeft->position[k]);
+      put(corners[k]->normal, mLeftCount, mLeft->normal[k]);
+      put(corners[k]->uv, mLeftCount, mLeft->uv[k]);
+      put(corners[k]->color, mLeftCount, mLeft->color[k]);
     }
-    if (mCall.colors.data) corner.color = glm::clamp(loadColor(mCall.colors, elements.shading[i]), 0.0f, 1.0f);
-    return corner;
+    if (++mLeftCount == TriangleColumns::kMost) finish(*mLeft, std::exchange(mLeftCount, 0));
   }
 
-  // Written where it belongs; what is skipped is written over.
-  [[gnu::always_inline]] void addTriangle(const Corner &a, const Corner &b, const Corner &c) {
-    const hal::TrianglePlane plane = hal::planeOf(a.position, b.position, c.position);
-    const bool finite = isFinite(a.position + b.position + c.position) && std::isfinite(plane.doubleArea);
-    if (!finite) return void(++mOut.skipped.notFinite);
-    // Without area as far as float can tell: the hit point would have no normal.
-    if (plane.doubleArea == 0) return void(++mOut.skipped.degenerate);
+  void finish(TriangleColumns &columns, size_t count) {
+    complete(columns, count);
+    for (size_t i = 0; i < count; ++i) {
+      const float area = columns.doubleArea[i];
+      if (!std::isfinite(area)) {
+        ++mOut.skipped.notFinite;
+      } else if (area == 0) {  // as far as float can tell: the hit point would have no normal
+        ++mOut.skipped.degenerate;
+      } else {
+        write(columns, i, mOut.triangles[mOut.count], mOut.attributes[mOut.count]);
+        ++mOut.count;
+      }
+    }
+  }
 
-    hal::HotTriangle &triangle = mOut.triangles[mOut.count];
-    hal::TriangleAttributes &attributes = mOut.attributes[mOut.count];
-    uint32_t flags = mCall.flags & ~uint32_t{hal::kTangentFrame};
-    if (mCall.colors.data) flags |= hal::kHasColors;
-    triangle.v0 = a.position;
-    triangle.v1 = b.position;
-    triangle.v2 = c.position;
+  void write(const TriangleColumns &columns, size_t i, hal::HotTriangle &triangle,
+             hal::TriangleAttributes &attributes) const {
+    const bool hasNormals = mCall.normals.data, wantsFrame = mCall.flags & hal::kTangentFrame;
+    triangle.v0 = vectorAt(columns.position[0], i);
+    triangle.v1 = vectorAt(columns.position[1], i);
+    triangle.v2 = vectorAt(columns.position[2], i);
     triangle.material = mCall.material;
-    hal::setPlane(plane, triangle);
-    attributes.uv[0] = a.uv;
-    attributes.uv[1] = b.uv;
-    attributes.uv[2] = c.uv;
+    triangle.flags = mCall.flags & ~uint32_t{hal::kTangentFrame};
+    hal::setPlane({vectorAt(columns.flatNormal, i), columns.doubleArea[i], columns.leastOffset[i]}, triangle);
+    const Vec3 front = frontOf(triangle.flatNormal);
+    for (size_t k = 0; k < 3; ++k) {
+      attributes.normal[k] = hasNormals ? vectorAt(columns.normal[k], i) : front;
+      attributes.uv[k] = vectorAt(columns.uv[k], i);
+    }
     if (mCall.colors.data) {  // else nobody asks, and memory need not take them
-      attributes.color[0] = a.color;
-      attributes.color[1] = b.color;
-      attributes.color[2] = c.color;
+      for (size_t k = 0; k < 3; ++k) attributes.color[k] = vectorAt(columns.color[k], i);
+      triangle.flags |= hal::kHasColors;
     }
-    const Vec3 front = frontOf(plane.flatNormal);
-    attributes.normal[0] = normalOf(a, front);
-    attributes.normal[1] = normalOf(b, front);
-    attributes.normal[2] = normalOf(c, front);
-    if (mCall.flags & hal::kTangentFrame) {
-      if (setTangentFrame(triangle, front, attributes)) flags |= hal::kTangentFrame;
-    } else if (hasNormal(a) || hasNormal(b) || hasNormal(c)) {
-      flags |= hal::kHasNormals;
+    if (!wantsFrame) {
+      triangle.flags |= columns.hasNormals[i];
+    } else if (setTangentFrame(triangle, front, attributes)) {
+      triangle.flags |= hal::kTangentFrame;
     }
-    triangle.flags = flags;
-    ++mOut.count;
-  }
-
-  // The palette acts after the modelview matrix.
-  Vec3 skinnedPosition(size_t element) const {
-    const Vec4 world = mCall.worldFromObject * Vec4(loadVec3(mCall.vertices, element), 1);
-    return Vec3(blend(mCall, element) * world);
-  }
-
-  Vec3 skinnedNormal(size_t element) const {
-    const Vec3 world = mNormalMatrix * loadVec3(mCall.normals, element);
-    return normalizedOr(normalMatrix(blend(mCall, element)) * world, Vec3(0));
   }
 
   Vec2 transformed(const Vec4 &texCoord) const {
@@ -178,23 +191,6 @@ class Assembler {
 
   // Of the side that rcFrontFace calls the front.
   Vec3 frontOf(const Vec3 &flatNormal) const { return mCall.flags & hal::kClockwiseFront ? -flatNormal : flatNormal; }
-
-  static bool hasNormal(const Corner &corner) { return corner.normal != Vec3(0); }
-  // A corner without a usable normal gets the flat one.
-  static Vec3 normalOf(const Corner &corner, const Vec3 &front) {
-    const bool own = hasNormal(corner);
-    return {own ? corner.normal.x : front.x, own ? corner.normal.y : front.y, own ? corner.normal.z : front.z};
-  }
-
-  // Before a triangle is cut: each corner has its normal, so that the cut has what lies between them, at the length
-  // that it has there, and what is left is shaded as it was.
-  void completeNormals(Corner (&corners)[3]) const {
-    const auto &[a, b, c] = corners;
-    if (!hasNormal(a) && !hasNormal(b) && !hasNormal(c)) return;
-    const Vec3 edges = glm::cross(b.position - a.position, c.position - a.position);
-    const Vec3 front = frontOf(directionOf(edges, lengthOf(edges), Vec3(0)));
-    for (Corner &corner : corners) corner.normal = normalOf(corner, front);
-  }
 
   // Directions in which s and t grow, and the front's normal; false where the texture coordinates span nothing.
   // [reference 4.5]
@@ -220,11 +216,14 @@ class Assembler {
   glm::mat3 mNormalMatrix;
   const bool mMovesTexCoords = mCall.textureMatrix != Mat4(1);  // mostly not
   size_t mElements = SIZE_MAX;                                  // that every array has
-  Vec2 mTexCoord{0};                                            // of all vertices where there is no array
-  Elements mWaiting[kWaiting];                                  // triangles whose vertices are transformed together
+  // Triangles that are transformed together: the elements of arrays that their corners have their positions and
+  // texture coordinates, and their normals and colours of.
+  size_t mVertices[3][TriangleColumns::kMost], mShading[3][TriangleColumns::kMost];
+  TriangleColumns mDrawn;
   size_t mCount = 0;
-  VertexColumns mVertices;
   Clipper mClipper;
+  std::unique_ptr<TriangleColumns> mLeft;  // what clip planes leave of them; null where there are none
+  size_t mLeftCount = 0;
 };
 
 }  // namespace rc::ddk

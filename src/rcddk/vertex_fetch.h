@@ -39,10 +39,15 @@ inline float component(const ArrayView &array, size_t element, size_t i) {
   return load<float>(at + 4 * i);
 }
 
-// Floats, which most arrays hold, come in one piece.
+// Not inlined, so that loops over floats, which most arrays hold, stay small.
+[[gnu::noinline]] inline Vec3 convertedVec3(const ArrayView &array, size_t element) {
+  return {component(array, element, 0), component(array, element, 1), component(array, element, 2)};
+}
+
+// Floats come in one piece.
 inline Vec3 loadVec3(const ArrayView &array, size_t element) {
   if (array.type == Component::Float) return load<Vec3>(array.data + element * array.stride);
-  return {component(array, element, 0), component(array, element, 1), component(array, element, 2)};
+  return convertedVec3(array, element);
 }
 
 inline Vec2 loadVec2(const ArrayView &array, size_t element) {
