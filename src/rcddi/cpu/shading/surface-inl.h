@@ -120,10 +120,18 @@ RC_STEP void loadRow(const float *const (&places)[kMostLanes], bool one, size_t 
   for (size_t k = 0; k < 4; ++k) out[k] = all(places[0][offset + k]);
 }
 
+// The floats kBegin ... kEnd - 1 of each lane's place, and those that share rows of four with them. Not a loop:
+// compilers would leave it as it is, and all floats in memory.
+template <size_t kBegin, size_t kEnd>
+RC_STEP void loadFloats(const float *const (&places)[kMostLanes], bool one, F *out) {
+  loadRow(places, one, kBegin / 4 * 4, out + kBegin / 4 * 4);
+  if constexpr (kBegin / 4 * 4 + 4 < kEnd) loadFloats<kBegin / 4 * 4 + 4, kEnd>(places, one, out);
+}
+
 RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const TrianglePlaces &places,
                            V3 (&vertices)[3], SurfaceLanes &out) {
   F row[sizeof(hal::HotTriangle) / sizeof(float)];
-  for (size_t k = 0; k < std::size(row); k += 4) loadRow(places.triangle, places.one, k, row + k);
+  loadFloats<0, std::size(row)>(places.triangle, places.one, row);
   for (size_t k = 0; k < 3; ++k) {
     vertices[k] = {row[3 * k], row[3 * k + 1], row[3 * k + 2]};
     if (shading.cones) out.vertices[k] = vertices[k];
@@ -137,17 +145,14 @@ RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const T
   out.one = places.one;
   const U firstDynamic = hn::Set(du, static_cast<uint32_t>(shading.scene.geometry[0].triangles.size()));
   if (!out.one) out.dynamic = hn::Not(hn::RebindMask(FTag(), hn::Lt(rays.primitive, firstDynamic)));
-  // Attributes of 4 k ... 4 k + 3.
-  const auto attributes = [&](size_t begin, size_t end) HWY_ATTR {
-    for (size_t k = begin / 4 * 4; k < end; k += 4) {
-      loadRow(places.attributes, places.one, k, out.attributes.floats + k);
-    }
-  };
+  F *const floats = out.attributes.floats;
   if (!none(hn::And(rays.found, hasFlag(out.flags, hal::kHasNormals | hal::kTangentFrame)))) {
-    attributes(kNormalOffset, kNormalOffset + 9);
+    loadFloats<kNormalOffset, kNormalOffset + 9>(places.attributes, places.one, floats);
   }
-  if (!shading.scene.textures.empty()) attributes(kUvOffset, kUvOffset + 6);
-  if (!none(hn::And(rays.found, hasFlag(out.flags, hal::kHasColors)))) attributes(kColorOffset, kColorOffset + 9);
+  if (!shading.scene.textures.empty()) loadFloats<kUvOffset, kUvOffset + 6>(places.attributes, places.one, floats);
+  if (!none(hn::And(rays.found, hasFlag(out.flags, hal::kHasColors)))) {
+    loadFloats<kColorOffset, kColorOffset + 9>(places.attributes, places.one, floats);
+  }
 }
 
 // A vector that the corners of triangles have: its place in the attributes.
