@@ -40,6 +40,9 @@ class ColumnBlock {
     reserve(size);
     mSize = size;
   }
+  // As many more, which were written behind the end: there is room. Vector code that may have to call something keeps
+  // its vectors in memory.
+  void extend(size_t count) { mSize += count; }
   // Returns the place of a new item, which has any value.
   size_t add() {
     resize(mSize + 1);

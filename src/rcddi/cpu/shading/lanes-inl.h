@@ -150,7 +150,7 @@ RC_STEP size_t append(M asked, hal::ColumnBlock<Queue> &queue, Fill &&fill) {
   } else {
     fill([&](const auto &value, auto &column) HWY_ATTR { store(packed(value, asked), end, column); });
   }
-  queue.resize(end + count);
+  queue.extend(count);
   return count;
 }
 
