@@ -5,8 +5,8 @@
 on one core and one thread. For each scene and build: the median over several starts of the median ratio to the first
 build of the turn, the ratios of the starts, and the least milliseconds of a frame.
 
-    cp -a build/release/src/egl/libRayCoreAPI.so* /tmp/before/      # then change and build
-    scripts/in_turns.py /tmp/before build/release/src/egl
+    before=$(mktemp -d); cp -a build/release/src/egl/libRayCoreAPI.so* "$before"    # then change and build
+    scripts/in_turns.py "$before" build/release/src/egl
 
 Name the first build twice (copied) to see what the noise is.
 """
@@ -39,7 +39,7 @@ def arguments():
 class Build:
     def __init__(self, given, folder, scene):
         environment = {**os.environ, "LD_LIBRARY_PATH": str(pathlib.Path(folder).resolve())}
-        command = [given.bench, given.scenes, scene, *given.size.split("x")]
+        command = [given.bench, "--scenes", given.scenes, "--only", scene, "--size", given.size]
         self.program = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
                                         env=environment)
 

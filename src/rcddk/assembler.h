@@ -105,7 +105,7 @@ class Assembler {
       if (mCall.normals.data) transformNormals(mNormalMatrix, count, mDrawn);
     }
     if (!mLeft) return finish(mDrawn, count);
-    complete(mDrawn, count);
+    if (mCall.normals.data) complete(mDrawn, count);
     for (size_t i = 0; i < count; ++i) clip(i);
     finish(*mLeft, std::exchange(mLeftCount, 0));
   }

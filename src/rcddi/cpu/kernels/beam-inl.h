@@ -92,50 +92,6 @@ HWY_INLINE hn::Vec<D16> endsOf(const Batch &batch, const Beam &beam, size_t i) {
   return hn::Min(hn::Add(start, length), hn::Set(d, kFarthest));
 }
 
-#if HWY_TARGET == HWY_SCALAR  // vectors of one lane know no other
-// The best lane of each of four vectors. best: Min or Max.
-template <class D, class F, class V = hn::Vec<D>>
-HWY_INLINE void storeBest(D, F, const V (&v)[4], float *out) {
-  for (size_t k = 0; k < 4; ++k) out[k] = hn::GetLane(v[k]);
-}
-#else
-// The best of blocks of four lanes.
-template <class D, class F>
-HWY_INLINE void storeBestBlock(D d, F best, hn::Vec<D> v, float *out) {
-  if constexpr (hn::MaxLanes(d) > 4) {
-    const hn::Half<D> half;
-    storeBestBlock(half, best, best(hn::LowerHalf(half, v), hn::UpperHalf(half, v)), out);
-  } else {
-    hn::StoreU(v, d, out);
-  }
-}
-
-// The best lane of each of four vectors. best: Min or Max.
-template <class D, class F, class V = hn::Vec<D>>
-HWY_INLINE void storeBest(D d, F best, const V (&v)[4], float *out) {
-  const hn::Repartition<uint64_t, D> pairs;
-  const auto pair = [&](V a, V b) HWY_ATTR {
-    return hn::BitCast(pairs, best(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b)));
-  };
-  const auto first = pair(v[0], v[1]), second = pair(v[2], v[3]);
-  const V lower = hn::BitCast(d, hn::InterleaveLower(pairs, first, second));
-  storeBestBlock(d, best, best(lower, hn::BitCast(d, hn::InterleaveUpper(pairs, first, second))), out);
-}
-#endif
-
-struct Least {
-  template <class V>
-  HWY_INLINE V operator()(V a, V b) const {
-    return hn::Min(a, b);
-  }
-};
-struct Most {
-  template <class V>
-  HWY_INLINE V operator()(V a, V b) const {
-    return hn::Max(a, b);
-  }
-};
-
 // After what may be hits of the packets whose bits are set, four at a time.
 HWY_INLINE void shorten(const Batch &batch, uint32_t packets, Beam &beam) {
   const D16 d;
