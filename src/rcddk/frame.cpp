@@ -3,6 +3,7 @@
 #include "rcddk/frame.h"
 
 #include "rcddk/brightness.h"
+#include "rchal/units/shadow_ray.h"
 
 namespace rc::ddk {
 
@@ -25,6 +26,9 @@ const hal::SceneView &Frame::view() {
   };
   mView.geometry = {viewOf(mScene.statics(), mScene.staticAccel(), mStaticCaptured),
                     viewOf(mDynamics, mScene.dynamicAccel(), mDynamicCaptured)};
+  Bounds most;  // of what lights shine on, without the little that reaches far out
+  for (const hal::GeometryView &geometry : mView.geometry) most.add(geometry.accel.core);
+  for (hal::LightRow &light : mLights) light.sendsShadowRays = hal::sendsShadowRays(light, most);
   // Half a step of a byte.
   mView.ignorable = 0.5f / 256 / brightest(mView);
   return mView;

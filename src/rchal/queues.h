@@ -125,18 +125,16 @@ class HitQueue : public ColumnBlock<HitQueue> {
 
 // A question to the traversal unit: how much of `colour` gets through from the light to the point?
 struct ShadowItem {
-  Ray ray;             // from the surface; the direction has unit length
-  float distance = 0;  // to the light; infinite for a directional one
-  Rgb colour{0};       // what the light adds if nothing is in the way
+  Ray ray;        // between them: units/shadow_ray.h
+  Rgb colour{0};  // what the light adds if nothing is in the way
   uint32_t pixel = 0;
-  uint32_t from = kNoPrimitive;  // the triangle it starts on, which cannot be in the way (SurfacePoint::start)
+  uint32_t from = kNoPrimitive;  // the triangle of the point, which cannot be in the way (SurfacePoint::safeOffset)
 };
 
-// The questions about one light.
+// The questions about one light. origin: not set where devices know that all rays start at the light.
 class ShadowQueue : public ColumnBlock<ShadowQueue> {
  public:
   VectorsOfQueue origin, direction, colour;
-  FloatsOfQueue distance;
   NumbersOfQueue pixel, from;
 
   void push(const ShadowItem &item) {
@@ -144,13 +142,10 @@ class ShadowQueue : public ColumnBlock<ShadowQueue> {
     origin.set(i, item.ray.origin);
     direction.set(i, item.ray.direction);
     colour.set(i, item.colour);
-    distance[i] = item.distance;
     pixel[i] = item.pixel;
     from[i] = item.from;
   }
-  ShadowItem operator[](size_t i) const {
-    return {{origin[i], direction[i]}, distance[i], colour[i], pixel[i], from[i]};
-  }
+  ShadowItem operator[](size_t i) const { return {{origin[i], direction[i]}, colour[i], pixel[i], from[i]}; }
 
   template <class Visit, class... Queues>
   static void forEachColumn(Visit &&visit, Queues &...queues) {
@@ -159,7 +154,6 @@ class ShadowQueue : public ColumnBlock<ShadowQueue> {
       visit(queues.direction.*column...);
       visit(queues.colour.*column...);
     }
-    visit(queues.distance...);
     visit(queues.pixel...);
     visit(queues.from...);
   }

@@ -128,6 +128,7 @@ struct LightRow {
   Vec3 position{0, 0, 1};  // or, directional, the unit direction towards the light
   bool directional = true;
   bool castsShadow = true;
+  bool sendsShadowRays = false;  // they start at the light: units/shadow_ray.h
   bool spot = false;
   Rgb ambient{1}, diffuse{0.1f}, specular{0};
   Vec3 spotDirection{0, 0, -1};       // unit

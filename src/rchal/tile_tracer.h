@@ -37,17 +37,18 @@ struct ScalarUnits {
       rays.push(item);
     }
   }
-  static void closestHits(const SceneView &scene, const RayQueue &rays, HitQueue &hits) {
+  // common: their origin, if they have but one.
+  static void closestHits(const SceneView &scene, const RayQueue &rays, const Vec3 *, HitQueue &hits) {
     for (size_t i = 0; i < rays.size(); ++i) hits.set(i, nextHit(scene, rays.ray(i), rays.after(i), kInfinity));
   }
   static void shade(const SceneView &scene, const RayQueue &rays, const HitQueue &hits, const Outputs &out) {
     for (size_t i = 0; i < rays.size(); ++i) shadeRay(scene, rays[i], hits[i], out);
   }
-  // The questions about one light.
-  static void addVisible(const SceneView &scene, const ShadowQueue &shadows, const PixelSums &sums) {
+  static void addVisible(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows,
+                         const PixelSums &sums) {
     for (size_t i = 0; i < shadows.size(); ++i) {
       const ShadowItem item = shadows[i];
-      sums.add(item.pixel, item.colour * visibility(scene, item.ray, item.distance));
+      sums.add(item.pixel, item.colour * visibility(scene, item.ray, reachOf(light)));
     }
   }
   // The bytes of each pixel.
@@ -176,13 +177,14 @@ class TileTracer {
   void traceRays(const SceneView &scene, int bounces, const RayQueue &rays, RayQueue &same, RayQueue &next) {
     mHits.resize(rays.size());
     timed(scene, bounces == 0 ? &UnitTimes::primary : &UnitTimes::secondary,
-          [&] { mUnits.closestHits(scene, rays, mHits); });
+          [&] { mUnits.closestHits(scene, rays, bounces == 0 ? commonOrigin(scene.camera) : nullptr, mHits); });
     timed(scene, &UnitTimes::shade, [&] {
       mUnits.shade(scene, rays, mHits, {mSum.view(), mShadows, same, next, mCounts, bounces});
     });
     for (size_t light = 0; light < scene.lights.size(); ++light) {
       if (mShadows[light].size() == 0) continue;
-      timed(scene, &UnitTimes::shadow, [&] { mUnits.addVisible(scene, mShadows[light], mSum.view()); });
+      timed(scene, &UnitTimes::shadow,
+            [&] { mUnits.addVisible(scene, scene.lights[light], mShadows[light], mSum.view()); });
       mShadows[light].resize(0);
     }
   }

@@ -44,11 +44,11 @@ size_t compareHits(const SceneView &scene, const SceneView &plain, std::span<con
 }
 
 // Of a ray that nothing blocks: where it crosses triangles that let light through.
-std::vector<Hit> crossings(const SceneView &plain, const Ray &ray, float tMax) {
+std::vector<Hit> crossings(const SceneView &plain, const Ray &ray, const Reach &reach) {
   std::vector<Hit> out;
-  forEachHit(plain, ray, tMax, [&](const Hit &hit) {
+  forEachHit(plain, ray, reach, [&](const Hit &hit) {
     const auto [geometry, index] = placeOf(plain, hit.primitive);
-    if (passageOf(geometry, index, ray.direction) == Passage::Filtered) out.push_back(hit);
+    if (passageOf(geometry, index, reach.towardsLight(ray.direction)) == Passage::Filtered) out.push_back(hit);
     return true;
   });
   return out;
@@ -63,20 +63,24 @@ std::vector<Hit> crossings(const ddi::cpu::FilterHits &filters, size_t ray) {
   return out;
 }
 
-void compareBlocked(const SceneView &scene, const SceneView &plain, std::span<const Ray> rays, float tMax) {
+// common: rays are known to start at one point.
+void compareBlocked(const SceneView &scene, const SceneView &plain, std::span<const Ray> rays, const Reach &reach,
+                    bool common = false) {
   const Columns columns(rays);
-  const std::vector<float> ends(rays.size() + Columns::kBehind, tMax);
+  ddi::cpu::RayStream stream = columns.stream();
+  stream.reach = reach;
+  stream.common = common;
   std::vector<uint8_t> truth(rays.size());
   std::vector<std::vector<Hit>> crossed(rays.size());
   for (size_t i = 0; i < rays.size(); ++i) {
-    truth[i] = isBlocked(plain, rays[i], tMax);
-    if (!truth[i]) crossed[i] = crossings(plain, rays[i], tMax);
+    truth[i] = isBlocked(plain, rays[i], reach);
+    if (!truth[i]) crossed[i] = crossings(plain, rays[i], reach);
   }
   onEachTarget([&] {
     std::vector<uint8_t> blocked(rays.size());
     ddi::cpu::FilterHits filters;
     filters.reset(rays.size());
-    ddi::cpu::findBlocked(scene, columns.stream(), ends.data(), blocked.data(), &filters);
+    ddi::cpu::findBlocked(scene, stream, nullptr, blocked.data(), &filters);
     size_t different = 0;
     for (size_t i = 0; i < rays.size() && different < 3; ++i) {
       const bool tooMany = crossed[i].size() > ddi::cpu::FilterHits::kMost;
@@ -101,7 +105,8 @@ class Kernels : public testing::TestWithParam<std::tuple<RayKind, AccelKind>> {
     for (GeometryView &geometry : plain.geometry) geometry.accel = {};
     const std::vector<Ray> rays = raysOf(rayKind, count, view);
     EXPECT_GT(compareHits(view, plain, rays), rays.size() / 20) << "the rays miss nearly everything";
-    compareBlocked(view, plain, rays, 0.7f);
+    compareBlocked(view, plain, rays, {.end = 0.7f});
+    compareBlocked(view, plain, rays, {.begin = 0.2f, .end = 3, .fromLight = true});
   }
 
  private:
@@ -191,8 +196,9 @@ TEST(KernelRooms, EyesAndLightsAmidWalls) {
       }
       compareHits(view, plain, out);
       compareHits(view, plain, on);
-      compareBlocked(view, plain, on, 10);
-      for (const float end : {0.999f, 1.0f, 1.0005f, 1.5f}) compareBlocked(view, plain, in, end);
+      compareBlocked(view, plain, on, {.end = 10});
+      for (const float end : {0.999f, 1.0f, 1.0005f, 1.5f}) compareBlocked(view, plain, in, {.end = end});
+      compareBlocked(view, plain, out, {.begin = 1e-5f, .end = 0.9f * scale, .fromLight = true}, true);
     }
   }
 }
@@ -265,7 +271,7 @@ TEST(KernelLimits, RaysThatAreNoNumbers) {
     std::vector<Ray> rays = raysOf(RayKind::Camera, 256, view);
     (which < 3 ? rays[37].origin : rays[37].direction)[which % 3] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_GT(compareHits(view, plain, rays), 10u);
-    compareBlocked(view, plain, rays, 5);
+    compareBlocked(view, plain, rays, {.end = 5});
   }
 }
 

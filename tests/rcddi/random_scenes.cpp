@@ -186,6 +186,7 @@ void RandomScene::setView() {
   mView.shadows = chance(0.9f);
   if (chance(0.3f)) mView.fog = {FogMode(1 + below(3)), 0.05f, 2, 20, colour()};
   if (chance(0.2f)) mView.minWeight = 0.02f;
+  for (LightRow &light : mLights) light.sendsShadowRays = !light.directional && chance(0.7f);
 }
 
 }  // namespace rc::test

@@ -70,6 +70,21 @@ TEST_P(Shading, ThreadsDoNotChangeABit) {
   for (const int threads : {2, 5}) EXPECT_EQ(render("cpu", threads, scene.view()).pixels, one.pixels);
 }
 
+// Shadow rays may start at lights or at surfaces: hardly any of them says something else for it.
+TEST_P(FewerRays, WhereShadowRaysStartIsNotSeen) {
+  const RandomScene scene(GetParam());
+  SceneView view = scene.view();
+  std::vector<LightRow> lights(view.lights.begin(), view.lights.end());
+  view.lights = lights;
+  Picture pictures[2];
+  for (const bool fromLights : {false, true}) {
+    for (LightRow &light : lights) light.sendsShadowRays = !light.directional && fromLights;
+    pictures[fromLights] = render("cpu", 1, view);
+  }
+  EXPECT_EQ(pictures[0].counts.shadow, pictures[1].counts.shadow);
+  EXPECT_LE(meanDifference(pictures[0], pictures[1]), 0.05);
+}
+
 TEST(Pixels, OfFiveSixAndFiveBitsAreThoseOfEightRounded) {
   const RandomScene scene(3);
   SceneView view = scene.view();

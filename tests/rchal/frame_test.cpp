@@ -166,7 +166,8 @@ TEST_F(Frame, TotalReflectionTakesTheMirrorDirection) {
   EXPECT_EQ(pixel & 255, 255u);
 }
 
-class Shadows : public Frame {
+// Whether shadow rays start at the light.
+class Shadows : public Frame, public testing::WithParamInterface<bool> {
  protected:
   // A lit ground; the light stands at (0, 0, 3), a pane lies off the line of sight, between light and ground.
   TestScene &litScene(uint32_t paneFlags, bool pane = true) {
@@ -180,6 +181,7 @@ class Shadows : public Frame {
     mScene->materials[kGround].diffuse = Rgb(0.5f);
     LightRow light;
     light.directional = false;
+    light.sendsShadowRays = GetParam();
     light.position = {-1, 0.02f, 3};
     light.ambient = light.diffuse = Rgb(1);
     mScene->lights = {light};
@@ -193,22 +195,22 @@ const float kCosine = 3 / std::sqrt(9 + 1.05f * 1.05f);
 
 int lit(float share) { return int(256 * (0.25f + 0.5f * kCosine * share)); }
 
-TEST_F(Shadows, NothingInTheWay) { EXPECT_NEAR(trace(litScene(0, false))[0], lit(1), 1); }
+TEST_P(Shadows, NothingInTheWay) { EXPECT_NEAR(trace(litScene(0, false))[0], lit(1), 1); }
 
-TEST_F(Shadows, AmbientStaysInShadow) { EXPECT_EQ(trace(litScene(0))[0], 64); }
+TEST_P(Shadows, AmbientStaysInShadow) { EXPECT_EQ(trace(litScene(0))[0], 64); }
 
-TEST_F(Shadows, CanBeSwitchedOff) {
+TEST_P(Shadows, CanBeSwitchedOff) {
   litScene(0).view.shadows = false;
   EXPECT_NEAR(trace(*mScene)[0], lit(1), 1);
   EXPECT_EQ(mCounts.shadow, 0u);
 }
 
-TEST_F(Shadows, TransparentOccludersBlockUnlessAsked) {
+TEST_P(Shadows, TransparentOccludersBlockUnlessAsked) {
   litScene(0).materials[kPane].shadowTint = Rgb(0.5f);
   EXPECT_EQ(trace(*mScene)[0], 64);
 }
 
-TEST_F(Shadows, TransmittanceTintsPerChannel) {
+TEST_P(Shadows, TransmittanceTintsPerChannel) {
   litScene(kTransmittanceShadow).materials[kPane].shadowTint = {1, 0.5f, 0};
   const Bytes pixel = trace(*mScene);
   EXPECT_NEAR(pixel[0], lit(1), 1);
@@ -217,7 +219,7 @@ TEST_F(Shadows, TransmittanceTintsPerChannel) {
 }
 
 // In a KD-tree a triangle may lie in several leaves; it must count once.
-TEST_F(Shadows, EachFilterCountsOnceInEveryStructure) {
+TEST_P(Shadows, EachFilterCountsOnceInEveryStructure) {
   litScene(kTransmittanceShadow);
   for (int i = 0; i < 40; ++i) addSquare(-1 - 0.1f * float(i), kBehind, 0, 30);
   for (AccelKind kind : {AccelKind::KdTree, AccelKind::Bvh, AccelKind::Exhaustive}) {
@@ -228,6 +230,24 @@ TEST_F(Shadows, EachFilterCountsOnceInEveryStructure) {
     EXPECT_NEAR(trace(scene)[0], lit(0.5f), 1);
   }
 }
+
+// The side that counts is the one seen from the ground.
+TEST_P(Shadows, CulledSidesAreNotThere) { EXPECT_NEAR(trace(litScene(kCullBack))[0], lit(1), 1); }
+TEST_P(Shadows, SidesThatAreNotCulledAre) { EXPECT_EQ(trace(litScene(kCullFront))[0], 64); }
+
+TEST_P(Shadows, ALightOnASurfaceIsNotHiddenByIt) {
+  litScene(0).lights[0].position.z = 2;
+  const float cosine = 2 / std::sqrt(4 + 1.05f * 1.05f);
+  EXPECT_NEAR(trace(*mScene)[0], 256 * (0.25f + 0.5f * cosine), 1);
+}
+
+// But by what is a little below it.
+TEST_P(Shadows, ALightCloselyAboveASurfaceIsHidden) {
+  litScene(0).lights[0].position.z = 2.001f;
+  EXPECT_EQ(trace(*mScene)[0], 64);
+}
+
+INSTANTIATE_TEST_SUITE_P(FromLights, Shadows, testing::Bool());
 
 TEST_F(Frame, TransparentTexelsLetTheRayGoStraightOn) {
   addSquare(1, kPane);

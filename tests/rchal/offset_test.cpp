@@ -7,8 +7,7 @@
 
 #include "common/meshes.h"
 #include "rchal/framebuffer.h"
-#include "rchal/units/hit_point.h"
-#include "rchal/units/traversal.h"
+#include "rchal/units/shadow_ray.h"
 
 namespace rc::test {
 namespace {
@@ -91,6 +90,32 @@ TEST_P(Offsets, NoRayMeetsTheSurfaceItLeaves) {
   EXPECT_EQ(met, 0) << "of " << tried;
 }
 
+// From lights on either side, up to as far off as they send rays, all but beside the surface too; if they lie on a side
+// as far as float can tell.
+TEST_P(Offsets, NoRayFromALightMeetsTheSurfaceItEndsAt) {
+  int tried = 0, met = 0;
+  LightRow light;
+  light.directional = false;
+  light.sendsShadowRays = true;
+  for (int i = 0; i < kTriangles; ++i) {
+    TestScene scene({someTriangle(i)}, AccelKind::Exhaustive);
+    for (int k = 0; k < kDirections; ++k) {
+      const auto point = somePoint(scene);
+      if (!point) continue;
+      LightTerm term;
+      light.position = point->position + kFarLight * GetParam().size * unit() * leaving(*point);
+      term.towards = light.position - point->position;
+      if (std::abs(glm::dot(term.towards, point->flatNormal)) < point->safeOffset) continue;
+      term.distance = glm::length(term.towards);
+      term.direction = directionOf(term.towards, term.distance, point->flatNormal);
+      ++tried;
+      met += isBlocked(scene.view, shadowRay(light, *point, term), reachOf(light));
+    }
+  }
+  EXPECT_GT(tried, kTriangles * kDirections / 5);
+  EXPECT_EQ(met, 0) << "of " << tried;
+}
+
 // Twice the offset is enough of a gap.
 TEST_P(Offsets, ASheetCloseByIsMet) {
   int tried = 0, passed = 0;
@@ -108,7 +133,7 @@ TEST_P(Offsets, ASheetCloseByIsMet) {
     const SceneView &view = scene.update();
     const Ray ray{point->start(point->flatNormal), point->flatNormal};
     ++tried;
-    passed += closestHit(view, ray).primitive != 1 || !isBlocked(view, ray, GetParam().size);
+    passed += closestHit(view, ray).primitive != 1 || !isBlocked(view, ray, {.end = GetParam().size});
   }
   EXPECT_GT(tried, kTriangles / 2);
   EXPECT_EQ(passed, 0) << "of " << tried;
@@ -130,7 +155,7 @@ TEST_P(Offsets, AreAFewStepsOfFloat) {
 // A tilted mirror under the sky shows the sky in all pixels, a lit floor is lit everywhere.
 class OpenFloor : public Offsets {
  protected:
-  std::vector<uint32_t> picture(const char *device, const MaterialRow &material) {
+  std::vector<uint32_t> picture(const char *device, const MaterialRow &material, bool fromLight = false) {
     const float size = GetParam().size;
     const Vec3 centre = GetParam().distance * glm::normalize(Vec3(3, -2, 1));
     const Vec3 x = size * glm::normalize(Vec3(1, 0.2f, 0.1f)), z = size * glm::normalize(Vec3(-0.1f, 0.3f, 1));
@@ -140,6 +165,7 @@ class OpenFloor : public Offsets {
     const Vec3 up = normalizedOr(glm::cross(z, x), {0, 1, 0});
     LightRow light;
     light.directional = false;
+    light.sendsShadowRays = fromLight;
     light.position = centre + 20 * size * up;
     light.diffuse = Rgb(1);
     scene.lights = {light};
@@ -173,7 +199,9 @@ TEST_P(OpenFloor, HasNoSpecksOfShadow) {
   matt.ambient = matt.specular = Rgb(0);
   matt.diffuse = Rgb(1);
   for (const char *device : {"cpu", "ref"}) {
-    for (const uint32_t pixel : picture(device, matt)) ASSERT_GT(pixel & 255, 200u) << device;
+    for (const bool fromLight : {false, true}) {
+      for (const uint32_t pixel : picture(device, matt, fromLight)) ASSERT_GT(pixel & 255, 200u) << device << fromLight;
+    }
   }
 }
 

@@ -59,7 +59,7 @@ TEST(Queue, ColumnsHaveRoomForAVectorBehindTheirEnd) {
   ShadowQueue queue;
   queue.resize(16);
   const float *columns[] = {queue.origin.x.data(), queue.origin.y.data(), queue.direction.z.data(),
-                            queue.distance.data()};
+                            queue.colour.y.data()};
   for (const float *column : columns) {
     EXPECT_EQ(reinterpret_cast<uintptr_t>(column) % 64, 0u);
     for (const float *other : columns) EXPECT_TRUE(column == other || std::abs(column - other) >= 32);

@@ -12,23 +12,26 @@
 
 #include "rcddi/cpu/filter_hits.h"
 #include "rchal/queues.h"
+#include "rchal/units/traversal.h"
 
 namespace rc::ddi::cpu {
 
 // Columns, tMax of findBlocked() too, can be read up to a multiple of 16.
 struct RayStream {
-  std::array<const float *, 3> origin, direction;
+  std::array<const float *, 3> origin, direction;  // origin: see common
   size_t count;
-  // The triangles that rays start on, off their planes by SurfacePoint::safeOffset, so that they cannot meet them:
-  // tests with them may be left out. Null: not known; kNoPrimitive: none.
+  // The triangles that rays start or end on, off their planes by SurfacePoint::safeOffset or more, so that they cannot
+  // meet them: tests with them may be left out. Null: not known; kNoPrimitive: none.
   const uint32_t *from = nullptr;
+  bool common = false;  // all rays start at one point; `origin` has it once
+  hal::Reach reach{};   // of those that ask what blocks them
 };
 
 // The nearest hit of each ray: hits become as many.
 void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::HitQueue &hits);
 
-// blocked[i] = 1 if a triangle that lets no light through lies before tMax[i] on ray i, else 0. filters, unless null:
-// receives where rays that are not blocked cross the others.
+// blocked[i] = 1 if a triangle that lets no light through lies within the reach of ray i, else 0. tMax, unless null:
+// the ends of all rays. filters, unless null: receives where rays that are not blocked cross the others.
 void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked,
                  FilterHits *filters);
 

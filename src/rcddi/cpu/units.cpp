@@ -4,6 +4,7 @@
 
 #include "rcddi/cpu/trace.h"
 #include "rchal/units/shadow.h"
+#include "rchal/units/shadow_ray.h"
 
 namespace rc::ddi::cpu {
 
@@ -11,16 +12,28 @@ using namespace rc::hal;
 
 namespace {
 
-RayStream streamOf(const VectorsOfQueue &origin, const VectorsOfQueue &direction, size_t count) {
-  return {{origin.x.data(), origin.y.data(), origin.z.data()},
-          {direction.x.data(), direction.y.data(), direction.z.data()},
-          count};
+using Columns = std::array<const float *, 3>;
+
+Columns columnsOf(const VectorsOfQueue &vectors) { return {vectors.x.data(), vectors.y.data(), vectors.z.data()}; }
+
+// common: where all rays start; null if that is not one point.
+RayStream streamOf(const Vec3 *common, const VectorsOfQueue &origin, const VectorsOfQueue &direction, size_t count) {
+  const Columns origins = common ? Columns{&common->x, &common->y, &common->z} : columnsOf(origin);
+  return {.origin = origins, .direction = columnsOf(direction), .count = count, .common = common != nullptr};
+}
+
+RayStream streamOf(const LightRow &light, const ShadowQueue &shadows) {
+  const Vec3 *common = light.sendsShadowRays ? &light.position : nullptr;
+  RayStream rays = streamOf(common, shadows.origin, shadows.direction, shadows.size());
+  rays.from = shadows.from.data();
+  rays.reach = reachOf(light);
+  return rays;
 }
 
 }  // namespace
 
-void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, HitQueue &hits) {
-  cpu::closestHits(scene, streamOf(rays.origin, rays.direction, rays.size()), hits);
+void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, const Vec3 *common, HitQueue &hits) {
+  cpu::closestHits(scene, streamOf(common, rays.origin, rays.direction, rays.size()), hits);
   // The few that go on behind a hit ask the scalar unit.
   uint32_t after = kNoPrimitive;
   for (size_t i = 0; i < rays.size(); ++i) after &= rays.afterPrimitive[i];
@@ -30,19 +43,17 @@ void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, HitQueu
   }
 }
 
-void CpuUnits::addVisible(const SceneView &scene, const ShadowQueue &shadows, const PixelSums &sums) {
+void CpuUnits::addVisible(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows,
+                          const PixelSums &sums) {
   const size_t count = shadows.size();
-  mEnd.resize(count);
   mBlocked.resize(count);
-  for (size_t i = 0; i < count; ++i) mEnd[i] = shadowEnd(shadows.distance[i]);
-  RayStream rays = streamOf(shadows.origin, shadows.direction, count);
-  rays.from = shadows.from.data();
+  const RayStream rays = streamOf(light, shadows);
   if (!scene.filtersShadow()) {
-    findBlocked(scene, rays, mEnd.data(), mBlocked.data(), nullptr);
+    findBlocked(scene, rays, nullptr, mBlocked.data(), nullptr);
     return addLit(shadows, mBlocked.data(), sums);
   }
   mFilters.reset(count);
-  findBlocked(scene, rays, mEnd.data(), mBlocked.data(), &mFilters);
+  findBlocked(scene, rays, nullptr, mBlocked.data(), &mFilters);
   // Rays that meet nothing are lit, those that meet filters alone follow.
   mFiltered.resize(0);
   for (uint32_t i = 0; i < count; ++i) {
@@ -51,16 +62,21 @@ void CpuUnits::addVisible(const SceneView &scene, const ShadowQueue &shadows, co
     mFiltered.push_back(i);
   }
   addLit(shadows, mBlocked.data(), sums);
-  for (size_t k = 0; k < mFiltered.size(); ++k) addFiltered(scene, shadows[mFiltered[k]], mFiltered[k], sums);
+  for (size_t k = 0; k < mFiltered.size(); ++k) addFiltered(scene, light, shadows, mFiltered[k], sums);
 }
 
-void CpuUnits::addFiltered(const SceneView &scene, const ShadowItem &item, size_t ray, const PixelSums &sums) const {
+void CpuUnits::addFiltered(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows, uint32_t ray,
+                           const PixelSums &sums) const {
+  const Rgb colour = shadows.colour[ray];
+  const Vec3 direction = shadows.direction[ray];
+  const Reach reach = reachOf(light);
   if (mFilters.hasTooMany(ray)) {
-    return sums.add(item.pixel, item.colour * visibility(scene, item.ray, item.distance));
+    const Vec3 origin = light.sendsShadowRays ? light.position : shadows.origin[ray];
+    return sums.add(shadows.pixel[ray], colour * visibility(scene, {origin, direction}, reach));
   }
-  FilteredLight light(scene, item.ray.direction);
-  mFilters.forEach(ray, [&](const Hit &hit) { return light.pass(hit); });
-  sums.add(item.pixel, item.colour * light.share());
+  FilteredLight share(scene, reach.towardsLight(direction));
+  mFilters.forEach(ray, [&](const Hit &hit) { return share.pass(hit); });
+  sums.add(shadows.pixel[ray], colour * share.share());
 }
 
 }  // namespace rc::ddi::cpu

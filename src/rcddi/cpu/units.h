@@ -17,22 +17,23 @@ class CpuUnits {
                        hal::PixelSample sample, hal::RayQueue &rays) {
     cpu::generate(scene, tile, pixels, sample, rays);
   }
-  static void closestHits(const hal::SceneView &scene, const hal::RayQueue &rays, hal::HitQueue &hits);
+  static void closestHits(const hal::SceneView &scene, const hal::RayQueue &rays, const Vec3 *common,
+                          hal::HitQueue &hits);
   static void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::HitQueue &hits,
                     const hal::Outputs &out) {
     cpu::shade(scene, rays, hits, out);
   }
-  void addVisible(const hal::SceneView &scene, const hal::ShadowQueue &shadows, const hal::PixelSums &sums);
+  void addVisible(const hal::SceneView &scene, const hal::LightRow &light, const hal::ShadowQueue &shadows,
+                  const hal::PixelSums &sums);
   static void pack(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
     cpu::pack(sums, count, share, rgb565, bytes);
   }
 
  private:
-  void addFiltered(const hal::SceneView &scene, const hal::ShadowItem &item, size_t ray,
-                   const hal::PixelSums &sums) const;
+  void addFiltered(const hal::SceneView &scene, const hal::LightRow &light, const hal::ShadowQueue &shadows,
+                   uint32_t ray, const hal::PixelSums &sums) const;
 
-  hal::Column<float> mEnd;  // of shadow rays
-  hal::Column<uint8_t> mBlocked;
+  hal::Column<uint8_t> mBlocked;    // by shadow ray
   hal::Column<uint32_t> mFiltered;  // those that cross filters alone
   FilterHits mFilters;
 };

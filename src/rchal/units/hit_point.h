@@ -19,10 +19,12 @@ struct SurfacePoint {
   float safeOffset;  // distance from the surface at which a new ray cannot hit it again
   bool front;        // the ray met the front
 
-  // Where a ray in the given direction may start.
-  Vec3 start(const Vec3 &direction) const {
-    return position + flatNormal * (glm::dot(direction, flatNormal) < 0 ? -safeOffset : safeOffset);
+  // By so much off the surface, to the side that the direction leads to.
+  Vec3 offset(const Vec3 &direction, float distance) const {
+    return flatNormal * (glm::dot(direction, flatNormal) < 0 ? -distance : distance);
   }
+  // Where a ray in the given direction may start.
+  Vec3 start(const Vec3 &direction) const { return position + offset(direction, safeOffset); }
 };
 
 // Rounding error of interpolating a position (Pharr et al., "Physically Based Rendering", 6.8.4), four times over for

@@ -19,7 +19,8 @@ struct SurfaceColours {
 struct LightTerm {
   Rgb ambient{0};  // not touched by shadow
   Rgb direct{0};   // diffuse and highlight, if nothing is in the way
-  Vec3 direction;  // unit, towards the light
+  Vec3 towards;    // the way to the light; unit, if that is directional
+  Vec3 direction;  // unit
   float distance;  // infinite for a directional light
 };
 
@@ -49,9 +50,9 @@ inline float attenuation(const LightRow &light, float distance) {
 inline LightTerm lightAt(const LightRow &light, const SurfacePoint &point, const Vec3 &view,
                          const SurfaceColours &surface) {
   LightTerm term;
-  const Vec3 towards = light.directional ? light.position : light.position - point.position;
-  term.distance = light.directional ? kInfinity : glm::length(towards);
-  term.direction = light.directional ? towards : directionOf(towards, term.distance, point.normal);
+  term.towards = light.directional ? light.position : light.position - point.position;
+  term.distance = light.directional ? kInfinity : glm::length(term.towards);
+  term.direction = light.directional ? term.towards : directionOf(term.towards, term.distance, point.normal);
   const float strength = attenuation(light, term.distance) * spotFactor(light, term.direction);
   term.ambient = strength * surface.ambient * light.ambient;
   const float cosine = glm::dot(point.normal, term.direction);

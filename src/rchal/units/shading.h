@@ -10,6 +10,7 @@
 #include "rchal/units/fog.h"
 #include "rchal/units/footprint.h"
 #include "rchal/units/lighting.h"
+#include "rchal/units/shadow_ray.h"
 
 namespace rc::hal {
 
@@ -154,8 +155,7 @@ class Shader {
         add(direct);
         continue;
       }
-      mOut.shadows[i].push(
-          {{mPoint.start(term.direction), term.direction}, term.distance, direct, mItem.pixel, mHit.primitive});
+      mOut.shadows[i].push({shadowRay(light, mPoint, term), direct, mItem.pixel, mHit.primitive});
       ++mOut.counts.shadow;
     }
   }

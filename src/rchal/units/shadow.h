@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // shadow.h: how much of a light gets through to a point. [spec 4; reference 4.2, 4.3]
-// In: SceneView, ShadowItem's ray and distance.  Out: share per channel.  Next: rchal/tile_tracer.h adds the colour.
+// In: SceneView, ShadowItem's ray, Reach of its light.  Out: share per channel.  Next: rchal/tile_tracer.h adds the
+// colour.
 #pragma once
 
 #include "rchal/units/coverage.h"
@@ -30,12 +31,10 @@ inline Rgb shadowFilter(const SceneView &scene, const GeometryView &geometry, ui
   return triangle.flags & kAlphaShadow ? glm::mix(Rgb(1), share, there) : share;
 }
 
-// How far a shadow ray looks: a light that lies on a surface is not hidden by it.
-inline float shadowEnd(float distance) { return distance * (1 - 1e-5f); }
-
-// What is left of the light on its way through triangles that let some through, which are told from near to far.
+// What is left of the light on its way through triangles that let some through, which are told in the order of the ray.
 class FilteredLight {
  public:
+  // direction: towards the light.
   FilteredLight(const SceneView &scene, const Vec3 &direction) : mScene(scene), mDirection(direction) {}
 
   // Returns whether anything is left.
@@ -57,11 +56,10 @@ class FilteredLight {
   HitOrder mLast;  // that took some
 };
 
-inline Rgb visibility(const SceneView &scene, const Ray &ray, float distance) {
-  const float end = shadowEnd(distance);
-  if (isBlocked(scene, ray, end)) return Rgb(0);
-  FilteredLight light(scene, ray.direction);
-  if (scene.filtersShadow()) forEachHit(scene, ray, end, [&](const Hit &hit) { return light.pass(hit); });
+inline Rgb visibility(const SceneView &scene, const Ray &ray, const Reach &reach) {
+  if (isBlocked(scene, ray, reach)) return Rgb(0);
+  FilteredLight light(scene, reach.towardsLight(ray.direction));
+  if (scene.filtersShadow()) forEachHit(scene, ray, reach, [&](const Hit &hit) { return light.pass(hit); });
   return light.share();
 }
 

@@ -199,27 +199,37 @@ inline Hit nextHit(const SceneView &scene, const Ray &ray, const HitOrder &after
 
 inline Hit closestHit(const SceneView &scene, const Ray &ray) { return nextHit(scene, ray, HitOrder{}, kInfinity); }
 
-// visit(hit) for each one before tMax, from near to far, until it returns false.
+// The part of a ray on which something may be in the way of light, both ends left out.
+struct Reach {
+  float begin = 0, end = kInfinity;  // as t
+  bool fromLight = false;            // the ray runs with the light, not towards it
+
+  // Of a ray, as sides of triangles count.
+  Vec3 towardsLight(const Vec3 &direction) const { return fromLight ? -direction : direction; }
+};
+
+// visit(hit) for each one, in the order of the ray, until it returns false.
 template <class Visit>
-void forEachHit(const SceneView &scene, const Ray &ray, float tMax, Visit &&visit) {
-  for (HitOrder last;;) {
-    const Hit hit = nextHit(scene, ray, last, tMax);
-    if (!(hit.t < tMax) || !visit(hit)) return;
+void forEachHit(const SceneView &scene, const Ray &ray, const Reach &reach, Visit &&visit) {
+  for (HitOrder last{reach.begin, kNoPrimitive};;) {
+    const Hit hit = nextHit(scene, ray, last, reach.end);
+    if (!(hit.t < reach.end) || !visit(hit)) return;
     last = {hit.t, hit.primitive};
   }
 }
 
-// Whether a triangle that lets none through lies before tMax.
-inline bool isBlocked(const SceneView &scene, const Ray &ray, float tMax) {
+// Whether a triangle that lets none through is in the way.
+inline bool isBlocked(const SceneView &scene, const Ray &ray, const Reach &reach) {
   const TraversalRay traversal(ray);
   const ShearedRay sheared(ray);
   bool blocked = false;
   for (const GeometryView &geometry : scene.geometry) {
-    walk(geometry, traversal, tMax, [&](std::span<const uint32_t> indices) {
+    walk(geometry, traversal, reach.end, [&](std::span<const uint32_t> indices) {
       for (const uint32_t index : indices) {
         Hit hit;
-        if (!intersectTriangle(sheared, geometry.triangles[index], hit) || !(hit.t > 0 && hit.t < tMax)) continue;
-        if (passageOf(geometry, index, ray.direction) == Passage::Blocked) return blocked = true;
+        if (!intersectTriangle(sheared, geometry.triangles[index], hit)) continue;
+        if (!(hit.t > reach.begin && hit.t < reach.end)) continue;
+        if (passageOf(geometry, index, reach.towardsLight(ray.direction)) == Passage::Blocked) return blocked = true;
       }
       return false;
     });

@@ -35,7 +35,8 @@ struct alignas(64) Batch {
   const float *origin[3], *direction[3];  // in world axes
   const uint32_t *from;                   // see RayStream; may be null
   size_t first;                           // of the group in the stream
-  FilterHits *filters;                    // where rays that ask what blocks them cross filters; may be null
+  hal::Reach reach;                       // of rays that ask what blocks them
+  FilterHits *filters;                    // where these cross filters; may be null
   alignas(64) float sx[kBatchRays], sy[kBatchRays], sz[kBatchRays];
   float t[kBatchRays];  // of the best hit, or how far to look; -infinity: needs no more
   float u[kBatchRays], v[kBatchRays];
@@ -87,27 +88,29 @@ HWY_INLINE void classify(const RayStream &rays, size_t first, size_t count, int3
   }
 }
 
-// Everything but the pointers to the columns and index. tMax: null for rays without end.
-template <bool kAny>
-HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax) {
+// kOne: the rays are known to have one origin. tMax: null if all end at the reach.
+template <bool kAny, bool kOne>
+HWY_INLINE void setUpColumns(Batch &batch, const float *tMax) {
   const D16 d;
   const hn::RebindToUnsigned<D16> du;
   using V = hn::Vec<D16>;
-  batch.rays = rays;
-  batch.packets = (rays + kPacketRays - 1) / kPacketRays;
-  batch.kz = rayClass / 2;
-  batch.kx = (batch.kz + 1) % 3;
-  batch.ky = (batch.kx + 1) % 3;
-  if (rayClass & 1) std::swap(batch.kx, batch.ky);  // keeps the winding
-  batch.zSign = rayClass & 1 ? -1.0f : 1.0f;
   const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
   const V x0 = hn::Set(d, ox[0]), y0 = hn::Set(d, oy[0]), z0 = hn::Set(d, oz[0]), sign = hn::Set(d, batch.zSign);
-  auto same = hn::Eq(x0, x0), numbers = same;
-  V size = hn::Zero(d), fastest = size, slowest = hn::Set(d, kInfinity), start = slowest, end = hn::Neg(slowest);
+  const V one = hn::Add(x0, hn::Add(y0, z0)), oneDepth = hn::Mul(z0, sign);
+  auto same = hn::Eq(sign, sign), numbers = hn::Eq(one, one);
+  V size = hn::Max(hn::Abs(x0), hn::Max(hn::Abs(y0), hn::Abs(z0)));
+  V fastest = hn::Zero(d), slowest = hn::Set(d, kInfinity), start = oneDepth, end = hn::Neg(slowest);
   for (size_t i = 0; i < batch.packets * kPacketRays; i += hn::Lanes(d)) {
-    const V x = hn::LoadU(d, ox + i), y = hn::LoadU(d, oy + i), z = hn::LoadU(d, oz + i);
-    same = hn::And(same, hn::And(hn::Eq(x, x0), hn::And(hn::Eq(y, y0), hn::Eq(z, z0))));
-    size = hn::Max(size, hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z))));
+    V depth = oneDepth;
+    if constexpr (!kOne) {
+      const V x = hn::LoadU(d, ox + i), y = hn::LoadU(d, oy + i), z = hn::LoadU(d, oz + i);
+      same = hn::And(same, hn::And(hn::Eq(x, x0), hn::And(hn::Eq(y, y0), hn::Eq(z, z0))));
+      size = hn::Max(size, hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z))));
+      const V all = hn::Add(x, hn::Add(y, z));
+      numbers = hn::And(numbers, hn::Eq(all, all));
+      depth = hn::Mul(z, sign);
+      start = hn::Min(start, depth);
+    }
     const V direction = hn::LoadU(d, batch.direction[batch.kz] + i), speed = hn::Abs(direction);
     slowest = hn::Min(slowest, speed);
     fastest = hn::Max(fastest, speed);
@@ -117,11 +120,9 @@ HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax
     hn::Store(sx, d, batch.sx + i);
     hn::Store(sy, d, batch.sy + i);
     hn::Store(sz, d, batch.sz + i);
-    const V t = tMax ? hn::LoadU(d, tMax + i) : hn::Set(d, kInfinity), depth = hn::Mul(z, sign);
+    const V t = tMax ? hn::LoadU(d, tMax + i) : hn::Set(d, batch.reach.end), slopes = hn::Add(sx, sy);
     hn::Store(t, d, batch.t + i);
-    const V all = hn::Add(hn::Add(x, y), hn::Add(z, hn::Add(sx, sy)));  // no number if one of them is none
-    numbers = hn::And(numbers, hn::And(hn::Eq(all, all), hn::Eq(t, t)));
-    start = hn::Min(start, depth);
+    numbers = hn::And(numbers, hn::And(hn::Eq(slopes, slopes), hn::Eq(t, t)));
     end = hn::Max(end, hn::MulAdd(t, speed, depth));
     if constexpr (!kAny) {
       hn::Store(hn::Zero(d), d, batch.u + i);
@@ -136,6 +137,23 @@ HWY_INLINE void setUp(Batch &batch, size_t rays, int rayClass, const float *tMax
   batch.fastest = hn::GetLane(hn::MaxOfLanes(d, fastest));
   batch.start = hn::GetLane(hn::MinOfLanes(d, start));
   batch.end = hn::GetLane(hn::MaxOfLanes(d, end));
+}
+
+// Everything but the pointers to the columns and index.
+template <bool kAny>
+HWY_INLINE void setUp(Batch &batch, const RayStream &stream, size_t rays, int rayClass, const float *tMax) {
+  batch.rays = rays;
+  batch.packets = (rays + kPacketRays - 1) / kPacketRays;
+  batch.kz = rayClass / 2;
+  batch.kx = (batch.kz + 1) % 3;
+  batch.ky = (batch.kx + 1) % 3;
+  if (rayClass & 1) std::swap(batch.kx, batch.ky);  // keeps the winding
+  batch.zSign = rayClass & 1 ? -1.0f : 1.0f;
+  if (stream.common) {
+    setUpColumns<kAny, true>(batch, tMax);
+  } else {
+    setUpColumns<kAny, false>(batch, tMax);
+  }
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

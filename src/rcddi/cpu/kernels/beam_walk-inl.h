@@ -146,8 +146,8 @@ HWY_INLINE void setSlopes(const Batch &batch, const Beam &beam, size_t packet, R
   }
 }
 
-// Whether some ray of the packet may meet the triangle: one that is not blocked yet and does not start on it. Of what a
-// window holds, shadow rays miss more than half, and so do others where triangles are smaller than packets; finding
+// Whether some ray of the packet may meet the triangle: one that is not blocked yet and is not about it itself. Of what
+// a window holds, shadow rays miss more than half, and so do others where triangles are smaller than packets; finding
 // that out here costs a third of the test.
 HWY_INLINE bool seenByRays(const TriangleLanes &triangles, const Outlines &outlines, const Batch &batch,
                            const RaySlopes &slopes, size_t packet, size_t triangle) {

@@ -76,7 +76,7 @@ HWY_INLINE bool takeHit(const Geometry &geometry, const hal::TriangleBlock4 &blo
   }
   hit.primitive = geometry.base + primitive;
   if constexpr (kAny) {
-    return hit.t > 0 && hit.t < batch.t[ray] && blockRay(geometry, batch, ray, primitive, hit);
+    return hit.t > batch.reach.begin && hit.t < batch.t[ray] && blockRay(geometry, batch, ray, primitive, hit);
   } else {
     if (!improves(batch, ray, hit)) return false;
     record(batch, ray, hit);

@@ -42,9 +42,11 @@ HWY_INLINE bool walkPackets(const Geometry &geometry, Batch &batch, Beam &beam) 
 // What blocks a ray, and which filters it crosses.
 inline void blockWithUnit(const hal::SceneView &scene, const Geometry &geometry, Batch &batch, size_t i) {
   const hal::Ray ray = batch.ray(i);
-  if (hal::isBlocked(scene, ray, batch.t[i])) batch.t[i] = -kInfinity;
+  hal::Reach reach = batch.reach;
+  reach.end = batch.t[i];
+  if (hal::isBlocked(scene, ray, reach)) reach.end = batch.t[i] = -kInfinity;
   if (!geometry.view.filtersShadow) return;
-  hal::forEachHit(scene, ray, batch.t[i], [&](hal::Hit hit) {
+  hal::forEachHit(scene, ray, reach, [&](hal::Hit hit) {
     const uint32_t primitive = hit.primitive;
     hit.primitive += geometry.base;
     return !blockRay(geometry, batch, i, primitive, hit);
@@ -166,7 +168,7 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
     if (hn::AllFalse(d, lanes)) continue;
     const size_t from = batch.first + i;
     for (int axis = 0; axis < 3; ++axis) {
-      pack(rays.origin[axis] + from, lanes, n, batch.columns[axis]);
+      if (!rays.common) pack(rays.origin[axis] + from, lanes, n, batch.columns[axis]);
       pack(rays.direction[axis] + from, lanes, n, batch.columns[3 + axis]);
     }
     if (tMax) pack(tMax + from, lanes, n, tColumn);
@@ -178,7 +180,9 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
     n += hn::CountTrue(d, lanes);
   }
   const size_t rest = n % kPacketRays ? kPacketRays - n % kPacketRays : 0;
-  for (size_t k = 0; k < 6 && rest; ++k) std::fill_n(batch.columns[k] + n, rest, batch.columns[k][n - 1]);
+  for (size_t k = rays.common ? 3 : 0; k < 6 && rest; ++k) {
+    std::fill_n(batch.columns[k] + n, rest, batch.columns[k][n - 1]);
+  }
   if (tMax && rest) std::fill_n(tColumn + n, rest, tColumn[n - 1]);
   if (rays.from && rest) std::fill_n(batch.fromColumn + n, rest, batch.fromColumn[n - 1]);
   batch.from = rays.from ? batch.fromColumn : nullptr;
@@ -189,21 +193,32 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
   return n;
 }
 
+// One origin, for all rays of a batch.
+HWY_INLINE void repeatOrigin(const RayStream &rays, Batch &batch) {
+  const D16 d;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const auto origin = hn::Set(d, *rays.origin[axis]);
+    for (size_t i = 0; i < kRoom; i += hn::Lanes(d)) hn::Store(origin, d, batch.columns[axis] + i);
+  }
+}
+
 template <bool kAny>
 HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, size_t first, size_t count,
                            const float *tMax, FilterHits *filters, hal::HitQueue *hits, uint8_t *blocked) {
   Batch batch;
   batch.first = first;
+  batch.reach = rays.reach;
   batch.filters = filters;
+  if (rays.common) repeatOrigin(rays, batch);
   const int common = count % kPacketRays == 0 ? commonClass(rays, first, count) : -1;
   batch.inPlace = common >= 0;
   if (batch.inPlace) {
     for (int axis = 0; axis < 3; ++axis) {
-      batch.origin[axis] = rays.origin[axis] + first;
+      batch.origin[axis] = rays.common ? batch.columns[axis] : rays.origin[axis] + first;
       batch.direction[axis] = rays.direction[axis] + first;
     }
     batch.from = rays.from ? rays.from + first : nullptr;
-    setUp<kAny>(batch, count, common, tMax ? tMax + first : nullptr);
+    setUp<kAny>(batch, rays, count, common, tMax ? tMax + first : nullptr);
     return traceClass<kAny>(scene, batch, hits, blocked);
   }
   alignas(64) int32_t classes[kBatchRays];
@@ -212,12 +227,12 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
   for (int rayClass = 0; rayClass < int(kClasses); ++rayClass) {
     const size_t n = gather(rays, classes, count, rayClass, tMax, tColumn, batch);
     if (n == 0) continue;
-    setUp<kAny>(batch, n, rayClass, tMax ? tColumn : nullptr);
+    setUp<kAny>(batch, rays, n, rayClass, tMax ? tColumn : nullptr);
     traceClass<kAny>(scene, batch, hits, blocked);
   }
 }
 
-// tMax: null for rays without end. filters: of rays that ask kAny; may be null.
+// tMax: null if all end at the reach. filters: of rays that ask kAny; may be null.
 template <bool kAny>
 inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, FilterHits *filters,
                         hal::HitQueue *hits, uint8_t *blocked) {

@@ -97,7 +97,8 @@ HWY_INLINE void record(Batch &batch, size_t i, const hal::Hit &hit) {
 // A hit before the end of a ray that asks what blocks it. Returns whether the ray needs no more.
 HWY_INLINE bool blockRay(const Geometry &geometry, Batch &batch, size_t i, uint32_t primitive, const hal::Hit &hit) {
   if (geometry.filters(primitive)) {
-    const hal::Passage passage = hal::passageOf(geometry.view, primitive, batch.ray(i).direction);
+    const hal::Passage passage =
+        hal::passageOf(geometry.view, primitive, batch.reach.towardsLight(batch.ray(i).direction));
     if (passage == hal::Passage::Free) return false;
     const bool noted = passage == hal::Passage::Filtered;
     if (noted && (!batch.filters || i >= batch.rays || batch.filters->note(batch.place(i), hit))) return false;
@@ -125,7 +126,7 @@ HWY_NOINLINE void intersectOnEdge(const Geometry &geometry, Batch &batch, uint32
     if (!hal::intersectTriangle(hal::ShearedRay(batch.ray(i)), geometry.view.triangles[primitive], hit)) continue;
     hit.primitive = geometry.base + primitive;
     if constexpr (kAny) {
-      if (hit.t > 0 && hit.t < batch.t[i]) blockRay(geometry, batch, i, primitive, hit);
+      if (hit.t > batch.reach.begin && hit.t < batch.t[i]) blockRay(geometry, batch, i, primitive, hit);
     } else if (improves(batch, i, hit)) {
       record(batch, i, hit);
     }
@@ -162,7 +163,7 @@ HWY_INLINE void intersectTriangle(const Geometry &geometry, Batch &batch, const 
     const auto lower = hn::Lt(primitive, hn::Load(du, batch.primitive + i));
     better = hn::Or(better, hn::And(hn::Eq(t, best), hn::RebindMask(d, lower)));
   }
-  const auto accept = hn::And(inside, hn::And(hn::Gt(t, zero), better));
+  const auto accept = hn::And(inside, hn::And(hn::Gt(t, kAny ? hn::Set(d, batch.reach.begin) : zero), better));
   const auto u = hn::Mul(wb, scale), v = hn::Mul(wc, scale);
   if constexpr (kAny) {
     const uint32_t inSet = triangles.primitive[lane] - geometry.base;

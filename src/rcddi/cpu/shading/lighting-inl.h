@@ -12,7 +12,7 @@
 #endif
 
 #include "rcddi/cpu/shading/surface-inl.h"
-#include "rchal/units/lighting.h"
+#include "rchal/units/shadow_ray.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
@@ -50,13 +50,24 @@ RC_STEP F attenuation(const hal::LightRow &light, F distance) {
 
 HWY_INLINE bool isDark(const Rgb &colour) { return !(rc::maxComponent(colour) > 0); }
 
-RC_STEP size_t pushShadowRays(const SurfaceLanes &surface, const V3 &direction, F distance, const V3 &colour,
-                              const RayLanes &rays, M asked, hal::ShadowQueue &queue) {
+// What a light is to the points.
+struct LightTerms {
+  V3 towards, direction;
+  F distance;
+};
+
+// units/shadow_ray.h
+RC_STEP size_t pushShadowRays(const hal::LightRow &light, const SurfaceLanes &surface, const LightTerms &term,
+                              const V3 &colour, const RayLanes &rays, M asked, hal::ShadowQueue &queue) {
   return append(asked, queue, [&](auto &&put) HWY_ATTR {
-    put(start(surface, direction), queue.origin);
-    put(direction, queue.direction);
+    if (light.sendsShadowRays) {
+      const F endOffset = hn::Max(surface.safeOffset, hn::Mul(all(hal::kPositionError), term.distance));
+      put(offset(surface, term.direction, endOffset) - term.towards, queue.direction);
+    } else {
+      put(start(surface, term.direction), queue.origin);
+      put(term.towards, queue.direction);
+    }
     put(colour, queue.colour);
-    put(distance, queue.distance);
     put(rays.pixel, queue.pixel);
     put(rays.primitive, queue.from);
   });
@@ -90,7 +101,8 @@ RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::Mat
   direct = colours.weight * (hn::Mul(strength, cosine) * direct);
   const M lit = hn::And(facing, hn::Gt(maxComponent(direct), zero()));
   if (none(lit)) return 0;
-  if (shadows && light.castsShadow) return pushShadowRays(surface, direction, distance, direct, rays, lit, queue);
+  if (shadows && light.castsShadow)
+    return pushShadowRays(light, surface, {towards, direction, distance}, direct, rays, lit, queue);
   own = own + onlyWhere(lit, direct);
   return 0;
 }

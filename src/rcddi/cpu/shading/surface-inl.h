@@ -68,10 +68,12 @@ HWY_INLINE M hasFlag(U flags, uint32_t flag) {
   return hn::RebindMask(FTag(), hn::Ne(hn::And(flags, hn::Set(UTag(), flag)), hn::Zero(UTag())));
 }
 
-HWY_INLINE V3 start(const SurfaceLanes &surface, const V3 &direction) {
+HWY_INLINE V3 offset(const SurfaceLanes &surface, const V3 &direction, F distance) {
   const M inwards = hn::Lt(dot(direction, surface.flatNormal), zero());
-  const F offset = select(inwards, hn::Neg(surface.safeOffset), surface.safeOffset);
-  return surface.position + offset * surface.flatNormal;
+  return select(inwards, hn::Neg(distance), distance) * surface.flatNormal;
+}
+HWY_INLINE V3 start(const SurfaceLanes &surface, const V3 &direction) {
+  return surface.position + offset(surface, direction, surface.safeOffset);
 }
 
 // Lanes behind the end of the queue count as rays without a hit.
