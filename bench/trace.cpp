@@ -64,7 +64,7 @@ size_t mismatches(Kind kind, const std::vector<FirstHit> &found, const std::vect
   for (size_t i = 0; i < truth.size(); ++i) {
     const bool hit = truth[i].primitive != kMiss;
     const bool same = (found[i].primitive != kMiss) == hit &&
-                      (!hit || kind == kShadow || std::abs(found[i].t - truth[i].t) <= 1e-3f * (1e-3f + truth[i].t));
+                      (!hit || asksBlocked(kind) || std::abs(found[i].t - truth[i].t) <= 1e-3f * (1e-3f + truth[i].t));
     count += !same;
   }
   return count;
@@ -122,7 +122,7 @@ void measureScene(const Soup &soup, const Arguments &arguments, std::vector<Resu
     first = false;
     std::vector<FirstHit> hits(primary.size());
     megaraysPerSecond(*tracers[0], kPrimary, primary, arguments, 1, hits.data());
-    for (const Kind kind : {kShadow, kMirror, kDiffuse}) {
+    for (const Kind kind : {kShadow, kFromLight, kMirror, kDiffuse}) {
       measure(soup, size, kind, secondaryRays(soup, kind, primary, hits), tracers, arguments, results);
     }
   }

@@ -15,7 +15,7 @@ import tempfile
 
 from callgrind_bench import bench_arguments, rays_counted
 
-KINDS = ["primary", "shadow", "mirror", "diffuse"]
+KINDS = ["primary", "shadow", "from light", "mirror", "diffuse"]
 SIDES = {"=raycore bvh": ["RaycoreTracer"], "embree high": ["Single", "Packets"]}
 EVENTS = ["Ir", "Dr", "D1mr"]
 

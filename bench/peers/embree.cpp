@@ -96,13 +96,13 @@ class Single final : public Tracer {
   std::string name() const override { return std::string("embree ") + mQuality + " single"; }
 
   void trace(Kind kind, const RayBatch &rays, size_t begin, size_t end, FirstHit *hits) const override {
-    RTCIntersectContext context = contextOf(kind == kPrimary || kind == kShadow);
+    RTCIntersectContext context = contextOf(kind == kPrimary || asksBlocked(kind));
     for (size_t i = begin; i < end; ++i) {
       RTCRayHit query;
       const Vec3 o = rays.origin(i), d = rays.direction(i);
       query.ray = {o.x, o.y, o.z, 0, d.x, d.y, d.z, 0, rays.tMax(i), ~0u, 0, 0};
       query.hit.geomID = query.hit.primID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-      if (kind == kShadow) {
+      if (asksBlocked(kind)) {
         rtcOccluded1(mMesh->scene(), &context, &query.ray);
         hits[i].primitive = query.ray.tfar < 0 ? 0 : kMiss;
       } else {
@@ -130,7 +130,7 @@ class Packets final : public Tracer {
     for (size_t i = begin; i < end; i += kWide) {
       alignas(64) RTCRayHit16 query;
       fill(query.ray, rays, i);
-      if (kind == kShadow) {
+      if (asksBlocked(kind)) {
         rtcOccluded16(valid, mMesh->scene(), &context, &query.ray);
         for (size_t k = 0; k < kWide; ++k) hits[i + k].primitive = query.ray.tfar[k] < 0 ? 0 : kMiss;
         continue;

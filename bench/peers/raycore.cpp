@@ -35,11 +35,12 @@ class RaycoreTracer final : public Tracer {
   std::string name() const override { return mName; }
 
   void trace(Kind kind, const RayBatch &rays, size_t begin, size_t end, FirstHit *hits) const override {
-    const ddi::cpu::RayStream stream{{rays.column(0) + begin, rays.column(1) + begin, rays.column(2) + begin},
-                                     {rays.column(3) + begin, rays.column(4) + begin, rays.column(5) + begin},
-                                     end - begin,
-                                     kind == kShadow ? rays.from() + begin : nullptr};
-    if (kind == kShadow) {
+    ddi::cpu::RayStream stream{{rays.column(0) + begin, rays.column(1) + begin, rays.column(2) + begin},
+                               {rays.column(3) + begin, rays.column(4) + begin, rays.column(5) + begin},
+                               end - begin,
+                               asksBlocked(kind) ? rays.from() + begin : nullptr};
+    stream.common = haveOneOrigin(kind);
+    if (asksBlocked(kind)) {
       uint8_t blocked[kMost];
       ddi::cpu::findBlocked(mView, stream, rays.column(6) + begin, blocked, nullptr);
       for (size_t i = begin; i < end; ++i) hits[i].primitive = blocked[i - begin] ? 0 : kMiss;

@@ -79,8 +79,9 @@ RayBatch secondaryRays(const Soup &soup, Kind kind, const RayBatch &primary, std
     const Vec3 toLight = soup.light - point;
     const float distance = glm::length(toLight);
     // From behind it is the surface itself that keeps the light off.
-    const uint32_t from = kind != kShadow || glm::dot(toLight, normal) > 0 ? hits[i].primitive : kMiss;
+    const uint32_t from = !asksBlocked(kind) || glm::dot(toLight, normal) > 0 ? hits[i].primitive : kMiss;
     if (kind == kShadow) batch.add(point, toLight / distance, distance * 0.9995f, from);
+    if (kind == kFromLight) batch.add(soup.light, -toLight / distance, distance * 0.99999f, from);
     if (kind == kMirror) batch.add(point, d - normal * (2 * glm::dot(d, normal)), kFar, from);
     if (kind == kDiffuse) batch.add(point, lobe(normal), kFar, from);
   }

@@ -12,8 +12,12 @@
 
 namespace rc::bench {
 
-enum Kind { kPrimary, kShadow, kMirror, kDiffuse, kKinds };
-inline constexpr const char *kKindNames[kKinds] = {"primary", "shadow", "mirror", "diffuse"};
+enum Kind { kPrimary, kShadow, kFromLight, kMirror, kDiffuse, kKinds };
+inline constexpr const char *kKindNames[kKinds] = {"primary", "shadow", "from light", "mirror", "diffuse"};
+
+// Whether rays ask only if something is in the way, and whether they are known to have one origin.
+inline bool asksBlocked(Kind kind) { return kind == kShadow || kind == kFromLight; }
+inline bool haveOneOrigin(Kind kind) { return kind == kPrimary || kind == kFromLight; }
 
 // Columns, 64-byte aligned; the count is a multiple of 256: the last rays are repeated.
 class RayBatch {
@@ -34,7 +38,7 @@ class RayBatch {
   Vec3 origin(size_t i) const { return {column(0)[i], column(1)[i], column(2)[i]}; }
   Vec3 direction(size_t i) const { return {column(3)[i], column(4)[i], column(5)[i]}; }
   float tMax(size_t i) const { return column(6)[i]; }
-  const uint32_t *from() const { return mFrom.data(); }  // the triangle each ray starts on and cannot meet; kMiss: none
+  const uint32_t *from() const { return mFrom.data(); }  // the triangle each ray is about and cannot meet; kMiss: none
 
  private:
   struct Item {
@@ -58,7 +62,7 @@ inline constexpr uint32_t kMiss = 0xffffffff;
 // In tiles of 16 x 16 pixels, these in blocks of 4 x 4.
 RayBatch primaryRays(const Soup &soup, int width, int height);
 
-// The kinds that start where primary rays end: a point light, a mirror everywhere, diffuse (seeded).
+// The kinds for where primary rays end: to and from a point light, a mirror everywhere, diffuse (seeded).
 RayBatch secondaryRays(const Soup &soup, Kind kind, const RayBatch &primary, std::span<const FirstHit> hits);
 
 }  // namespace rc::bench
