@@ -166,7 +166,7 @@ class Assembler {
     triangle.v2 = vectorAt(columns.position[2], i);
     triangle.material = mCall.material;
     triangle.flags = mCall.flags & ~uint32_t{hal::kTangentFrame};
-    hal::setPlane({vectorAt(columns.flatNormal, i), columns.doubleArea[i], columns.leastOffset[i]}, triangle);
+    hal::setPlane({vectorAt(columns.flatNormal, i), columns.doubleArea[i], columns.safeOffset[i]}, triangle);
     const Vec3 front = frontOf(triangle.flatNormal);
     for (size_t k = 0; k < 3; ++k) {
       attributes.normal[k] = hasNormals ? vectorAt(columns.normal[k], i) : front;

@@ -102,12 +102,14 @@ HWY_NOINLINE void setPlane(size_t i, TriangleColumns &triangles) {
   const Vec3 normal = std::isfinite(plane.doubleArea) ? plane.flatNormal : Vec3(0);
   for (int axis = 0; axis < 3; ++axis) triangles.flatNormal[axis][i] = normal[axis];
   triangles.doubleArea[i] = isFinite(corners[0] + corners[1] + corners[2]) ? plane.doubleArea : NAN;
-  triangles.leastOffset[i] = plane.leastOffset;
+  triangles.safeOffset[i] = plane.safeOffset;
 }
 
 HWY_INLINE auto isFinite(const Vectors3 &v) {
   return hn::And(hn::IsFinite(v.x), hn::And(hn::IsFinite(v.y), hn::IsFinite(v.z)));
 }
+
+HWY_INLINE Vector largest(const Vectors3 &v) { return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z))); }
 
 void planes(size_t count, TriangleColumns &triangles) {
   const Tag d;
@@ -120,10 +122,12 @@ void planes(size_t count, TriangleColumns &triangles) {
     const Vector longest = hn::Max(dot(a, a), hn::Max(dot(b, b), dot(c, c))), slenderness = hn::Div(longest, area);
     const auto sliver = hn::And(hn::Gt(slenderness, set(hal::kSliver)), hn::Lt(longest, set(kInfinity)));
     const Vector share = hn::Min(times(hal::kSliverError, slenderness), set(hal::kMostOfEdge));
+    const Vector sliverOffset = hn::IfThenElseZero(sliver, hn::Mul(hn::Sqrt(longest), share));
+    const Vector error = times(hal::kPositionError, hn::Max(largest(v0), hn::Max(largest(v1), largest(v2))));
     const auto finite = isFinite(plus(plus(v0, v1), v2));
     store({hn::Div(edges.x, area), hn::Div(edges.y, area), hn::Div(edges.z, area)}, triangles.flatNormal, i);
     hn::Store(hn::IfThenElse(finite, area, set(NAN)), d, triangles.doubleArea + i);
-    hn::Store(hn::IfThenElseZero(sliver, hn::Mul(hn::Sqrt(longest), share)), d, triangles.leastOffset + i);
+    hn::Store(hn::Max(error, sliverOffset), d, triangles.safeOffset + i);
     const auto plain = hn::And(hn::Gt(area, set(kLeastPlainLength)), hn::Lt(area, set(kMostPlainLength)));
     if (HWY_LIKELY(hn::AllTrue(d, plain))) continue;
     for (size_t k = i; k < std::min(i + hn::Lanes(d), count); ++k) setPlane(k, triangles);

@@ -23,7 +23,7 @@ struct TriangleColumns {
   alignas(64) float normal[3][3][kRoom] = {};  // 0: none
   alignas(64) float uv[3][2][kRoom], color[3][3][kRoom];
   // Of setPlanes(). An area that is no finite number: nor are the corners, or they are too far apart.
-  alignas(64) float flatNormal[3][kRoom], doubleArea[kRoom], leastOffset[kRoom];
+  alignas(64) float flatNormal[3][kRoom], doubleArea[kRoom], safeOffset[kRoom];
   // Of completeNormals(): hal::kHasNormals where some corner has one of its own, else 0.
   alignas(64) uint32_t hasNormals[kRoom] = {};
 };

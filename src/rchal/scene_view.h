@@ -40,7 +40,7 @@ struct alignas(64) HotTriangle {
   Vec3 v0, v1, v2;    // 36
   uint32_t material;  //  4  below kNamedMaterials: a name; else kNamedMaterials + index into captured
   uint32_t flags;     //  4  TriangleFlag
-  float leastOffset;  //  4  of rays that leave a sliver; else 0
+  float safeOffset;   //  4  how far off its plane new rays start, so that they cannot meet it again
   Vec3 flatNormal;    // 12  unit length, on the counter-clockwise side
   float doubleArea;   //  4
 };
@@ -54,8 +54,13 @@ struct alignas(64) TriangleAttributes {
 };
 static_assert(sizeof(TriangleAttributes) == 128);
 
+// Rounding error of interpolating a position (Pharr et al., "Physically Based Rendering", 6.8.4), four times over for
+// that of the intersection which follows. By the largest coordinate, since that one is rounded by the next ray's own
+// axes: a wall in a coordinate plane needs its distance too.
+inline constexpr float kPositionError = 4 * 7 * 0x1p-24f;
+
 // Distances to a triangle are rounded by as much as its longest edge squared over its height: beside this the rounding
-// of positions, which SurfacePoint::safeOffset counts, is nothing where it is many times longer than high.
+// of positions is nothing where it is many times longer than high.
 inline constexpr float kSliver = 8;  // times longer than high
 inline constexpr float kSliverError = 8 * 0x1p-24f;
 inline constexpr float kMostOfEdge = 1.0f / 64;  // of what is thinner nobody sees more than specks
@@ -63,7 +68,7 @@ inline constexpr float kMostOfEdge = 1.0f / 64;  // of what is thinner nobody se
 // What else is known of a triangle. Without an area it has no normal.
 struct TrianglePlane {
   Vec3 flatNormal;
-  float doubleArea, leastOffset;
+  float doubleArea, safeOffset;
 };
 inline TrianglePlane planeOf(const Vec3 &v0, const Vec3 &v1, const Vec3 &v2) {
   const Vec3 a = v1 - v0, b = v2 - v0, c = v2 - v1;
@@ -72,12 +77,13 @@ inline TrianglePlane planeOf(const Vec3 &v0, const Vec3 &v1, const Vec3 &v2) {
   const float longest = std::max(glm::dot(a, a), std::max(glm::dot(b, b), glm::dot(c, c)));
   const float slenderness = longest / doubleArea;
   const bool sliver = slenderness > kSliver && longest < kInfinity;
-  return {edges / doubleArea, doubleArea,
-          sliver ? std::sqrt(longest) * std::min(kSliverError * slenderness, kMostOfEdge) : 0};
+  const float sliverOffset = sliver ? std::sqrt(longest) * std::min(kSliverError * slenderness, kMostOfEdge) : 0;
+  const float largest = maxComponent(glm::max(glm::abs(v0), glm::max(glm::abs(v1), glm::abs(v2))));
+  return {edges / doubleArea, doubleArea, std::max(kPositionError * largest, sliverOffset)};
 }
 
 inline void setPlane(const TrianglePlane &plane, HotTriangle &triangle) {
-  triangle.leastOffset = plane.leastOffset;
+  triangle.safeOffset = plane.safeOffset;
   triangle.flatNormal = plane.flatNormal;
   triangle.doubleArea = plane.doubleArea;
 }

@@ -37,8 +37,8 @@ struct ScalarUnits {
       rays.push(item);
     }
   }
-  // common: their origin, if they have but one.
-  static void closestHits(const SceneView &scene, const RayQueue &rays, const Vec3 *, HitQueue &hits) {
+  // common: they are known to have one origin.
+  static void closestHits(const SceneView &scene, const RayQueue &rays, bool, HitQueue &hits) {
     for (size_t i = 0; i < rays.size(); ++i) hits.set(i, nextHit(scene, rays.ray(i), rays.after(i), kInfinity));
   }
   static void shade(const SceneView &scene, const RayQueue &rays, const HitQueue &hits, const Outputs &out) {
@@ -177,7 +177,7 @@ class TileTracer {
   void traceRays(const SceneView &scene, int bounces, const RayQueue &rays, RayQueue &same, RayQueue &next) {
     mHits.resize(rays.size());
     timed(scene, bounces == 0 ? &UnitTimes::primary : &UnitTimes::secondary,
-          [&] { mUnits.closestHits(scene, rays, bounces == 0 ? commonOrigin(scene.camera) : nullptr, mHits); });
+          [&] { mUnits.closestHits(scene, rays, bounces == 0 && !scene.camera.parallel, mHits); });
     timed(scene, &UnitTimes::shade, [&] {
       mUnits.shade(scene, rays, mHits, {mSum.view(), mShadows, same, next, mCounts, bounces});
     });
@@ -201,9 +201,11 @@ class TileTracer {
   }
   // The rows of blocks as they are.
   void storeRows(const Tile &tile, const Target &target) {
-    for (size_t i = 0; i < mPixels.size(); i += TilePixels::kBlock) {
-      uint32_t *row = &pixelAt(target, tile.column + mPixels.column[i], tile.row + mPixels.row[i]);
-      std::copy_n(mBytes.data() + i, TilePixels::kBlock, row);
+    uint32_t *const corner = &pixelAt(target, tile.column, tile.row);
+    const int32_t *const columns = mPixels.column.data(), *const rows = mPixels.row.data();
+    const uint32_t *const bytes = mBytes.data();
+    for (size_t i = 0, count = mPixels.size(); i < count; i += TilePixels::kBlock) {
+      std::copy_n(bytes + i, TilePixels::kBlock, corner + columns[i] - ptrdiff_t(rows[i]) * target.width);
     }
   }
 

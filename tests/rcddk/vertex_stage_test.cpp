@@ -116,9 +116,10 @@ TEST(VertexStage, PlanesAreThoseOfTheScalarFunction) {
       withoutArea += area == 0;
       if (area == 0) continue;
       EXPECT_TRUE(same(plane.flatNormal, at(columns.flatNormal, i))) << name << ' ' << i;
-      EXPECT_TRUE(same(plane.leastOffset, columns.leastOffset[i])) << name << ' ' << i;
+      EXPECT_TRUE(same(plane.safeOffset, columns.safeOffset[i])) << name << ' ' << i;
       ++usable;
-      slivers += plane.leastOffset > 0;
+      const Vec3 largest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
+      slivers += plane.safeOffset > hal::kPositionError * maxComponent(largest);
     }
   });
   for (const size_t kind : {usable, slivers, areaBeyondFloat, nowhere, withoutArea}) EXPECT_GT(kind, 0u);

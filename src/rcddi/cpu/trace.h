@@ -5,7 +5,7 @@
 // In: SceneView, rays in columns.  Out: Hits, equal to those of units/traversal.h bit by bit.  Next:
 // rchal/tile_tracer.h
 //
-// Rays that follow each other should lie beside each other: they are looked at in groups of 256, blocks of 16.
+// Rays that follow each other should lie beside each other: they are looked at in groups, blocks of 16.
 #pragma once
 
 #include <array>
@@ -18,13 +18,15 @@ namespace rc::ddi::cpu {
 
 // Columns, tMax of findBlocked() too, can be read up to a multiple of 16.
 struct RayStream {
-  std::array<const float *, 3> origin, direction;  // origin: see common
+  std::array<const float *, 3> origin, direction;
   size_t count;
   // The triangles that rays start or end on, off their planes by SurfacePoint::safeOffset or more, so that they cannot
   // meet them: tests with them may be left out. Null: not known; kNoPrimitive: none.
   const uint32_t *from = nullptr;
-  bool common = false;  // all rays start at one point; `origin` has it once
+  bool common = false;  // all rays start at one point, which `origin` has for those of a group, and need not for more
   hal::Reach reach{};   // of those that ask what blocks them
+
+  static constexpr size_t kGroup = 256;
 };
 
 // The nearest hit of each ray: hits become as many.

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddi/cpu/units.h"
 
-#include "rcddi/cpu/trace.h"
 #include "rchal/units/shadow.h"
 #include "rchal/units/shadow_ray.h"
 
@@ -16,24 +15,15 @@ using Columns = std::array<const float *, 3>;
 
 Columns columnsOf(const VectorsOfQueue &vectors) { return {vectors.x.data(), vectors.y.data(), vectors.z.data()}; }
 
-// common: where all rays start; null if that is not one point.
-RayStream streamOf(const Vec3 *common, const VectorsOfQueue &origin, const VectorsOfQueue &direction, size_t count) {
-  const Columns origins = common ? Columns{&common->x, &common->y, &common->z} : columnsOf(origin);
-  return {.origin = origins, .direction = columnsOf(direction), .count = count, .common = common != nullptr};
-}
-
-RayStream streamOf(const LightRow &light, const ShadowQueue &shadows) {
-  const Vec3 *common = light.sendsShadowRays ? &light.position : nullptr;
-  RayStream rays = streamOf(common, shadows.origin, shadows.direction, shadows.size());
-  rays.from = shadows.from.data();
-  rays.reach = reachOf(light);
-  return rays;
-}
-
 }  // namespace
 
-void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, const Vec3 *common, HitQueue &hits) {
-  cpu::closestHits(scene, streamOf(common, rays.origin, rays.direction, rays.size()), hits);
+void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, bool common, HitQueue &hits) {
+  cpu::closestHits(scene,
+                   {.origin = columnsOf(rays.origin),
+                    .direction = columnsOf(rays.direction),
+                    .count = rays.size(),
+                    .common = common},
+                   hits);
   // The few that go on behind a hit ask the scalar unit.
   uint32_t after = kNoPrimitive;
   for (size_t i = 0; i < rays.size(); ++i) after &= rays.afterPrimitive[i];
@@ -43,11 +33,24 @@ void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, const V
   }
 }
 
+RayStream CpuUnits::streamOf(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows) {
+  RayStream rays{.origin = columnsOf(shadows.origin),
+                 .direction = columnsOf(shadows.direction),
+                 .count = shadows.size(),
+                 .from = shadows.from.data(),
+                 .common = light.sendsShadowRays,
+                 .reach = reachOf(light)};
+  if (!rays.common) return rays;
+  mLights.resize(std::max(mLights.size(), scene.lights.size()));
+  rays.origin = mLights[static_cast<size_t>(&light - scene.lights.data())].columns(light.position);
+  return rays;
+}
+
 void CpuUnits::addVisible(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows,
                           const PixelSums &sums) {
   const size_t count = shadows.size();
   mBlocked.resize(count);
-  const RayStream rays = streamOf(light, shadows);
+  const RayStream rays = streamOf(scene, light, shadows);
   if (!scene.filtersShadow()) {
     findBlocked(scene, rays, nullptr, mBlocked.data(), nullptr);
     return addLit(shadows, mBlocked.data(), sums);

@@ -16,7 +16,7 @@ struct SurfacePoint {
   Vec3 normal;      // unit, interpolated where there are normals, turned with flatNormal
   Vec2 uv{0};
   Rgb color{1};      // of the vertices, interpolated
-  float safeOffset;  // distance from the surface at which a new ray cannot hit it again
+  float safeOffset;  // as HotTriangle's
   bool front;        // the ray met the front
 
   // By so much off the surface, to the side that the direction leads to.
@@ -27,25 +27,18 @@ struct SurfacePoint {
   Vec3 start(const Vec3 &direction) const { return position + offset(direction, safeOffset); }
 };
 
-// Rounding error of interpolating a position (Pharr et al., "Physically Based Rendering", 6.8.4), four times over for
-// that of the intersection which follows. By the largest coordinate, since that one is rounded by the next ray's own
-// axes: a wall in a coordinate plane needs its distance too.
-inline constexpr float kPositionError = 4 * 7 * 0x1p-24f;
-
 inline SurfacePoint surfacePoint(const GeometryView &geometry, uint32_t index, const Hit &hit, const Vec3 &direction) {
   const HotTriangle &triangle = geometry.triangles[index];
   const TriangleAttributes &attributes = geometry.attributes[index];
   const float w0 = 1 - hit.u - hit.v, w1 = hit.u, w2 = hit.v;
   SurfacePoint point;
   // Interpolated from the vertices: closer to the triangle than origin + t * direction can be.
-  const Vec3 p0 = w0 * triangle.v0, p1 = w1 * triangle.v1, p2 = w2 * triangle.v2;
-  point.position = p0 + p1 + p2;
+  point.position = w0 * triangle.v0 + w1 * triangle.v1 + w2 * triangle.v2;
   const Vec3 &geometric = triangle.flatNormal;
   const bool counterClockwise = glm::dot(geometric, direction) < 0;
   point.front = meetsFront(triangle.flags, geometric, direction);
   point.flatNormal = counterClockwise ? geometric : -geometric;
-  point.safeOffset =
-      std::max(kPositionError * maxComponent(glm::abs(p0) + glm::abs(p1) + glm::abs(p2)), triangle.leastOffset);
+  point.safeOffset = triangle.safeOffset;
 
   point.normal = point.flatNormal;
   if (triangle.flags & kHasNormals) {

@@ -21,9 +21,6 @@ inline PixelSample sampleOf(int sample, int samples) {
   return {{place / count, golden - std::floor(golden)}, 1 / std::sqrt(count)};
 }
 
-// Where all primary rays start; null if that is not one point.
-inline const Vec3 *commonOrigin(const CameraView &camera) { return camera.parallel ? nullptr : &camera.eye; }
-
 // column from the left, row from the bottom of the viewport.
 inline RayItem primaryRay(const CameraView &camera, int column, int row, PixelSample sample) {
   const float x =

@@ -19,6 +19,7 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 constexpr size_t kPacketRays = 16;
 constexpr size_t kPackets = 16;
 constexpr size_t kBatchRays = kPacketRays * kPackets;
+static_assert(kBatchRays == RayStream::kGroup);
 constexpr size_t kRoom = kBatchRays + kPacketRays;  // a vector may be written behind the last ray
 constexpr size_t kClasses = 6;                      // largest component, twice, plus 1 if negative
 

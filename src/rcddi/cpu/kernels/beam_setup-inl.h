@@ -80,19 +80,37 @@ HWY_INLINE V spread(D d, const Batch &batch, const Beam &beam, const V (&bounds)
 // The bounds of all packets that take part.
 HWY_INLINE void unite(bool before, Beam &beam) {
   const D16 d;
-  for (const size_t k :
-       {kXUpper, kXUpperSlope, kXLower, kXLowerSlope, kYUpper, kYUpperSlope, kYLower, kYLowerSlope, kNear, kFar}) {
-    const bool slope = k == kXUpperSlope || k == kXLowerSlope || k == kYUpperSlope || k == kYLowerSlope;
-    const bool upper = k == kXUpper || k == kXUpperSlope || k == kYUpper || k == kYUpperSlope || k == kFar;
-    const bool most = upper != (slope && before);
-    auto value = hn::Set(d, most ? -kInfinity : kInfinity);
-    for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
-      const auto lanes = hn::Load(d, beam.bounds[k] + i);
-      const auto takesPart = hn::Gt(hn::Load(d, beam.bounds[kXUpper] + i), hn::Set(d, -kInfinity));
-      value = hn::IfThenElse(takesPart, most ? hn::Max(value, lanes) : hn::Min(value, lanes), value);
-    }
-    beam.all[k] = hn::GetLane(most ? hn::MaxOfLanes(d, value) : hn::MinOfLanes(d, value));
+  // Of each bound the most is wanted, or, as the most of what it is less than 0, the least.
+  const float slope = before ? -1 : 1;
+  constexpr size_t kFours = (kBounds + 3) / 4;
+  float signs[4 * kFours] = {}, most[4 * kFours];
+  for (const auto &[bound, sign] : {std::pair{kXUpper, 1.0f},
+                                    {kXUpperSlope, slope},
+                                    {kXLower, -1},
+                                    {kXLowerSlope, -slope},
+                                    {kYUpper, 1},
+                                    {kYUpperSlope, slope},
+                                    {kYLower, -1},
+                                    {kYLowerSlope, -slope},
+                                    {kNear, -1},
+                                    {kFar, 1}}) {
+    signs[bound] = sign;
   }
+  for (size_t four = 0; four < kFours; ++four) {
+    hn::Vec<D16> values[4];
+    for (size_t k = 0; k < 4; ++k) {
+      const size_t bound = std::min<size_t>(4 * four + k, kBounds - 1);
+      const auto sign = hn::Set(d, signs[bound]);
+      values[k] = hn::Set(d, -kInfinity);
+      for (size_t i = 0; i < kPackets; i += hn::Lanes(d)) {
+        const auto takesPart = hn::Gt(hn::Load(d, beam.bounds[kXUpper] + i), hn::Set(d, -kInfinity));
+        const auto lanes = hn::Mul(hn::Load(d, beam.bounds[bound] + i), sign);
+        values[k] = hn::IfThenElse(takesPart, hn::Max(values[k], lanes), values[k]);
+      }
+    }
+    storeBest(d, Most(), values, most + 4 * four);
+  }
+  for (size_t k = 0; k < kBounds; ++k) beam.all[k] = signs[k] * most[k];
 }
 
 HWY_INLINE void setWindows(const Hulls &hulls, float margin, Beam &beam) {

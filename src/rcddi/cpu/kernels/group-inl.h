@@ -187,19 +187,10 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
   if (rays.from && rest) std::fill_n(batch.fromColumn + n, rest, batch.fromColumn[n - 1]);
   batch.from = rays.from ? batch.fromColumn : nullptr;
   for (int axis = 0; axis < 3; ++axis) {
-    batch.origin[axis] = batch.columns[axis];
+    batch.origin[axis] = rays.common ? rays.origin[axis] : batch.columns[axis];
     batch.direction[axis] = batch.columns[3 + axis];
   }
   return n;
-}
-
-// One origin, for all rays of a batch.
-HWY_INLINE void repeatOrigin(const RayStream &rays, Batch &batch) {
-  const D16 d;
-  for (size_t axis = 0; axis < 3; ++axis) {
-    const auto origin = hn::Set(d, *rays.origin[axis]);
-    for (size_t i = 0; i < kRoom; i += hn::Lanes(d)) hn::Store(origin, d, batch.columns[axis] + i);
-  }
 }
 
 template <bool kAny>
@@ -209,12 +200,11 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
   batch.first = first;
   batch.reach = rays.reach;
   batch.filters = filters;
-  if (rays.common) repeatOrigin(rays, batch);
   const int common = count % kPacketRays == 0 ? commonClass(rays, first, count) : -1;
   batch.inPlace = common >= 0;
   if (batch.inPlace) {
     for (int axis = 0; axis < 3; ++axis) {
-      batch.origin[axis] = rays.common ? batch.columns[axis] : rays.origin[axis] + first;
+      batch.origin[axis] = rays.origin[axis] + (rays.common ? 0 : first);
       batch.direction[axis] = rays.direction[axis] + first;
     }
     batch.from = rays.from ? rays.from + first : nullptr;

@@ -58,7 +58,7 @@ struct SurfaceLanes {
   M dynamic;       // lanes with triangles of the second set
   V3 vertices[3];  // where the width of rays is known
   V3 position, flatNormal, normal, color;
-  F leastOffset, safeOffset, doubleArea;
+  F safeOffset, doubleArea;
   F s, t;  // texture coordinates
   M front;
   AttributeLanes attributes;
@@ -141,7 +141,7 @@ RC_STEP void loadTriangles(const Shading &shading, const RayLanes &rays, const T
   const UTag du;
   out.material = hn::BitCast(du, row[9]);
   out.flags = hn::BitCast(du, row[10]);
-  out.leastOffset = row[11];
+  out.safeOffset = row[11];
   out.flatNormal = {row[12], row[13], row[14]};
   out.doubleArea = row[15];
   out.one = places.one;
@@ -188,15 +188,11 @@ RC_STEP void surfaceOf(const Shading &shading, const RayLanes &rays, SurfaceLane
   loadTriangles(shading, rays, places, vertices, out);
   const auto &[v0, v1, v2] = vertices;
   const F w0 = hn::Sub(hn::Sub(all(1), rays.u), rays.v), w1 = rays.u, w2 = rays.v;
-  const V3 p0 = w0 * v0, p1 = w1 * v1, p2 = w2 * v2;
-  out.position = p0 + p1 + p2;
+  out.position = w0 * v0 + w1 * v1 + w2 * v2;
   const V3 geometric = out.flatNormal;
   const M counterClockwise = hn::Lt(dot(geometric, rays.direction), zero());
   out.front = hn::Xor(counterClockwise, hasFlag(out.flags, hal::kClockwiseFront));
   out.flatNormal = select(counterClockwise, geometric, -geometric);
-  const auto size = [](F a, F b, F c) HWY_ATTR { return hn::Add(hn::Add(hn::Abs(a), hn::Abs(b)), hn::Abs(c)); };
-  const V3 sizes{size(p0.x, p1.x, p2.x), size(p0.y, p1.y, p2.y), size(p0.z, p1.z, p2.z)};
-  out.safeOffset = hn::Max(hn::Mul(all(hal::kPositionError), maxComponent(sizes)), out.leastOffset);
 
   out.normal = out.flatNormal;
   const M hasNormals = hn::And(rays.found, hasFlag(out.flags, hal::kHasNormals));
