@@ -37,7 +37,7 @@ struct ScalarUnits {
       rays.push(item);
     }
   }
-  // common: they are known to have one origin.
+  // primary: they are those of generate(), so that what these have in common need not be looked for.
   static void closestHits(const SceneView &scene, const RayQueue &rays, bool, HitQueue &hits) {
     for (size_t i = 0; i < rays.size(); ++i) hits.set(i, nextHit(scene, rays.ray(i), rays.after(i), kInfinity));
   }
@@ -177,7 +177,7 @@ class TileTracer {
   void traceRays(const SceneView &scene, int bounces, const RayQueue &rays, RayQueue &same, RayQueue &next) {
     mHits.resize(rays.size());
     timed(scene, bounces == 0 ? &UnitTimes::primary : &UnitTimes::secondary,
-          [&] { mUnits.closestHits(scene, rays, bounces == 0 && !scene.camera.parallel, mHits); });
+          [&] { mUnits.closestHits(scene, rays, &rays == &mPrimary, mHits); });
     timed(scene, &UnitTimes::shade, [&] {
       mUnits.shade(scene, rays, mHits, {mSum.view(), mShadows, same, next, mCounts, bounces});
     });

@@ -17,13 +17,14 @@ Columns columnsOf(const VectorsOfQueue &vectors) { return {vectors.x.data(), vec
 
 }  // namespace
 
-void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, bool common, HitQueue &hits) {
+void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, bool primary, HitQueue &hits) {
   cpu::closestHits(scene,
                    {.origin = columnsOf(rays.origin),
                     .direction = columnsOf(rays.direction),
                     .count = rays.size(),
-                    .common = common},
+                    .common = primary && !scene.camera.parallel},
                    hits);
+  if (primary) return;
   // The few that go on behind a hit ask the scalar unit.
   uint32_t after = kNoPrimitive;
   for (size_t i = 0; i < rays.size(); ++i) after &= rays.afterPrimitive[i];

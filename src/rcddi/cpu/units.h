@@ -38,7 +38,7 @@ class CpuUnits {
                        hal::PixelSample sample, hal::RayQueue &rays) {
     cpu::generate(scene, tile, pixels, sample, rays);
   }
-  static void closestHits(const hal::SceneView &scene, const hal::RayQueue &rays, bool common, hal::HitQueue &hits);
+  static void closestHits(const hal::SceneView &scene, const hal::RayQueue &rays, bool primary, hal::HitQueue &hits);
   static void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::HitQueue &hits,
                     const hal::Outputs &out) {
     cpu::shade(scene, rays, hits, out);
