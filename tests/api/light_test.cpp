@@ -287,6 +287,18 @@ TEST_F(LightTest, AShadowIsCastWhileShadowsAreOn) {
   EXPECT_EQ(pixel(5, 5), (Colour{128, 128, 128}));
 }
 
+// The shadow's edge: 5 pixels from below the light, magnified by h / (h - 100). Rays of the near lights start at them.
+TEST_F(LightTest, PointLightsCastShadowsFromNearAndFar) {
+  wallUnder(0.5f);
+  drawQuad({0, 0, 10, 10}, 100);
+  for (const auto &[height, edge] : {std::pair{150.0f, 20}, {200, 15}, {1e3f, 10}, {1e4f, 10}, {1e6f, 10}}) {
+    place(5, 5, height, 1);
+    rcFinish();
+    EXPECT_EQ(pixel(edge - 2, 5), kBlack) << height;
+    EXPECT_NEAR(pixel(edge + 2, 5)[0], 128, 2) << height;
+  }
+}
+
 TEST_F(LightTest, TheSecondGenerationHas1024) {
   useProfile("mc");
   EXPECT_EQ(integer(RC_MAX_LIGHTS), 1024);
