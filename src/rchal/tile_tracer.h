@@ -96,7 +96,12 @@ class TileTracer {
 
   // The lines that the picture will be written to.
   static void prefetch(const Tile &tile, const Target &target) {
-    for (int row = 0; row < tile.rows; ++row) __builtin_prefetch(&pixelAt(target, tile.column, tile.row + row), 1);
+    constexpr int kLine = 64 / sizeof(uint32_t);
+    for (int row = 0; row < tile.rows; ++row) {
+      for (int x = 0; x < tile.columns; x += kLine) {
+        __builtin_prefetch(&pixelAt(target, tile.column + x, tile.row + row), 1);
+      }
+    }
   }
 
   void dropRays() {

@@ -14,8 +14,10 @@ namespace {
 
 using namespace rc::hal;
 
-constexpr int kTileSize = 16;  // pixels a side; small enough that a tile's queues stay in the second-level cache
-constexpr size_t kBatch = size_t(kTileSize) * kTileSize;
+// Pixels; as many as the kernels look at together, and few enough that a tile's queues stay in the second-level cache.
+constexpr int kTileColumns = 32, kTileRows = 16;
+constexpr size_t kBatch = size_t(kTileColumns) * kTileRows;
+static_assert(kBatch == RayStream::kGroup);
 
 class CpuDevice final : public Device {
  public:
@@ -28,13 +30,14 @@ class CpuDevice final : public Device {
   RayCounts trace(const SceneView &scene, const Target &target) override {
     clearOutsideViewport(scene, target);
     const PixelRect part = tracedPart(scene, target);
-    const int across = (part.columns + kTileSize - 1) / kTileSize, down = (part.rows + kTileSize - 1) / kTileSize;
+    const int across = (part.columns + kTileColumns - 1) / kTileColumns;
+    const int down = (part.rows + kTileRows - 1) / kTileRows;
     for (TileTracer<CpuUnits> &tracer : mTracers) tracer.beginFrame();
     const size_t tiles = size_t(across) * size_t(down);
     const auto trace = [&](size_t i, int worker) {
-      const int column = int(i) % across * kTileSize, row = int(i) / across * kTileSize;
-      const Tile tile{part.column + column, part.row + row, std::min(kTileSize, part.columns - column),
-                      std::min(kTileSize, part.rows - row)};
+      const int column = int(i) % across * kTileColumns, row = int(i) / across * kTileRows;
+      const Tile tile{part.column + column, part.row + row, std::min(kTileColumns, part.columns - column),
+                      std::min(kTileRows, part.rows - row)};
       mTracers[size_t(worker)].trace(scene, tile, target);
     };
     mWorkers.forEach(tiles, trace, tilesTogether(tiles));
@@ -69,7 +72,7 @@ class CpuDevice final : public Device {
   // many, the price of a task is shared.
   size_t tilesTogether(size_t tiles) const {
     constexpr size_t kTasks = 32;  // for each thread, at least
-    return std::clamp<size_t>(tiles / (kTasks * mTracers.size()), 1, 4);
+    return std::clamp<size_t>(tiles / (kTasks * mTracers.size()), 1, 2);
   }
 
   Workers mWorkers;

@@ -26,7 +26,7 @@ struct RayStream {
   bool common = false;  // all rays start at one point, which `origin` has for those of a group, and need not for more
   hal::Reach reach{};   // of those that ask what blocks them
 
-  static constexpr size_t kGroup = 256;
+  static constexpr size_t kGroup = 512;
 };
 
 // The nearest hit of each ray: hits become as many.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// batch-inl.h: up to 256 rays whose directions have the same largest component, with the same sign, as columns
+// batch-inl.h: up to 512 rays whose directions have the same largest component, with the same sign, as columns
 // in the axes of the watertight test: z is that component's axis. (units/intersection.h, ShearedRay)
 #if defined(RAYCORE_KERNELS_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_KERNELS_BATCH_INL
@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 constexpr size_t kPacketRays = 16;
-constexpr size_t kPackets = 16;
+constexpr size_t kPackets = 32;
 constexpr size_t kBatchRays = kPacketRays * kPackets;
 static_assert(kBatchRays == RayStream::kGroup);
 constexpr size_t kRoom = kBatchRays + kPacketRays;  // a vector may be written behind the last ray

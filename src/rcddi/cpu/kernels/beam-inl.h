@@ -108,7 +108,7 @@ HWY_INLINE void shorten(const Batch &batch, uint32_t packets, Beam &beam) {
     }
     float farthest[4];
     storeBest(d, Most(), ends, farthest);
-    for (size_t k = 0; k < 4; ++k) beam.bounds[kFar][packet[k]] = farthest[k];
+    for (size_t k = 0; k < 4; ++k) beam.bounds[kFar][packet[k]] = farthest[k] + beam.rounding;
   }
   auto most = hn::Set(d, -kInfinity);
   for (size_t p = 0; p < kPackets; p += hn::Lanes(d)) most = hn::Max(most, hn::Load(d, beam.bounds[kFar] + p));

@@ -19,6 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
+using BeamEntry = LanesEntryOf<kPackets>;
+
 // Leaves that wait until there are triangles for all lanes.
 struct WaitingLeaves {
   static constexpr size_t kMost = kLanes / hal::TriangleBlock4::kWidth;
@@ -66,7 +68,7 @@ HWY_INLINE void meetPackets(const hal::BvhNode8 &node, uint32_t child, const Bat
 // Puts the children that the beam meets onto the stack, nearer ones later: one test for all of them, then one of each
 // for all packets. That none of these meets a child is so rare that it is left to be found out when it comes off again.
 HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 &node, const Batch &batch,
-                               const Beam &beam, const float *entered, LanesEntry *stack, size_t depth) {
+                               const Beam &beam, const float *entered, BeamEntry *stack, size_t depth) {
   const D8 d;
   using V = hn::Vec<D8>;
   V lanes[kBounds];
@@ -89,7 +91,7 @@ HWY_INLINE size_t pushChildren(const hal::AccelView &accel, const hal::BvhNode8 
   for (uint32_t bits = met; bits;) {
     const uint32_t child = nextBit(bits);
     prefetch(accel, node.child[child]);
-    LanesEntry &entry = stack[depth + countBeneath(keys, met, child)];
+    BeamEntry &entry = stack[depth + countBeneath(keys, met, child)];
     entry.child = node.child[child];
     meetPackets(node, child, batch, beam, entered, entry.near);
   }
@@ -205,8 +207,8 @@ template <bool kAny, bool kCommon>
 HWY_NOINLINE bool walkWithBeam(const Geometry &geometry, Batch &batch, Beam &beam) {
   const hal::AccelView &accel = geometry.view.accel;
   WaitingLeaves leaves;
-  alignas(64) float entered[kLanes];
-  LanesEntry stack[hal::kMaxBvhStack];
+  alignas(64) float entered[kPackets];
+  BeamEntry stack[hal::kMaxBvhStack];
   for (size_t p = 0; p < kPackets; ++p) stack[0].near[p] = beam.packets >> p & 1 ? -kFarthest : kInfinity;
   stack[0].child = 0;
   size_t depth = 1;
@@ -219,7 +221,7 @@ HWY_NOINLINE bool walkWithBeam(const Geometry &geometry, Batch &batch, Beam &bea
       intersectLeaves<kAny, kCommon>(geometry, batch, beam, leaves);
       continue;
     }
-    const LanesEntry &at = stack[depth];
+    const BeamEntry &at = stack[depth];
     if (at.child & hal::BvhNode8::kLeaf) {
       leaves.blocks[leaves.count++] = &accel.blocks[at.child & ~hal::BvhNode8::kLeaf];
       leaves.packets |= packets;

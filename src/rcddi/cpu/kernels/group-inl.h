@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// group-inl.h: 256 rays of a stream: sorted into classes of direction, each class by beams of all its packets, of one
+// group-inl.h: 512 rays of a stream: sorted into classes of direction, each class by beams of all its packets, of one
 // packet, or ray by ray: whichever the spread of its rays allows. Through a KD-tree, packets.
 #if defined(RAYCORE_KERNELS_GROUP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_KERNELS_GROUP_INL

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// lanes_stack-inl.h: the stack of walks in which 16 rays, or 16 packets, take part side by side: beside each node lies
-// where each lane meets its box, so that lanes that have found something nearer drop out one by one.
+// lanes_stack-inl.h: the stack of walks in which the rays of a packet, or the packets of a beam, take part side by
+// side: beside each node lies where each of them meets its box, so that those that have found something nearer drop out
+// one by one.
 #if defined(RAYCORE_KERNELS_LANES_STACK_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_KERNELS_LANES_STACK_INL
 #undef RAYCORE_KERNELS_LANES_STACK_INL
@@ -30,16 +31,20 @@ struct Geometry {
 
 constexpr size_t kLanes = 16;
 
-struct alignas(64) LanesEntry {
-  float near[kLanes];  // infinity: the lane does not meet it
+// For so many that take part.
+template <size_t kCount>
+struct alignas(64) LanesEntryOf {
+  float near[kCount];  // infinity: the lane does not meet it
   uint32_t child;      // as in BvhNode8
 };
+using LanesEntry = LanesEntryOf<kLanes>;
 
 // Lanes that have not yet got as far as `near`. No end of a lane is beyond kFarthest.
-HWY_INLINE uint32_t lanesBefore(const float *near, const float *end) {
+template <size_t kCount>
+HWY_INLINE uint32_t lanesBefore(const float (&near)[kCount], const float *end) {
   const D16 d;
   uint32_t bits = 0;
-  for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
+  for (size_t i = 0; i < kCount; i += hn::Lanes(d)) {
     bits |= bitsOf(d, hn::Le(hn::Load(d, near + i), hn::Load(d, end + i))) << i;
   }
   return bits;

@@ -24,7 +24,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Lanes of what is looked at together; narrower instruction sets take several steps.
 using D4 = hn::CappedTag<float, 4>;    // the triangles of a block
 using D8 = hn::CappedTag<float, 8>;    // the children of a node
-using D16 = hn::CappedTag<float, 16>;  // the rays of a packet, the packets of a batch
+using D16 = hn::CappedTag<float, 16>;  // the rays of a packet, or packets of a batch
 
 // Instead of infinity, where infinity means that a lane takes no part.
 constexpr float kFarthest = 3e38f;
