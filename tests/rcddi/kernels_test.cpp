@@ -275,6 +275,14 @@ TEST(KernelLimits, RaysThatAreNoNumbers) {
   }
 }
 
+// Depths behind a beam are rounded by the farthest of its rays' origins: of these rays one meets two triangles at their
+// common vertex, the nearer one second.
+TEST(KernelLimits, OriginsNearAndFarInOneBeam) {
+  TestScene scene(knot(48));
+  const SceneView view = scene.update();
+  EXPECT_GT(compareHits(view, view, raysOf(RayKind::FarAxis, 28000, view)), 20000u);
+}
+
 // Numbers of rays that fill neither packets nor groups.
 TEST(KernelLimits, AnyNumberOfRays) {
   TestScene scene(terrain(10));
