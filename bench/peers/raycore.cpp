@@ -41,8 +41,9 @@ class RaycoreTracer final : public Tracer {
                                asksBlocked(kind) ? rays.from() + begin : nullptr};
     stream.common = haveOneOrigin(kind);
     if (asksBlocked(kind)) {
+      stream.reach.end = rays.tMax(begin);  // one for all rays of a kind
       uint8_t blocked[kMost];
-      ddi::cpu::findBlocked(mView, stream, rays.column(6) + begin, blocked, nullptr);
+      ddi::cpu::findBlocked(mView, stream, blocked, nullptr);
       for (size_t i = begin; i < end; ++i) hits[i].primitive = blocked[i - begin] ? 0 : kMiss;
     } else {
       thread_local hal::HitQueue found;

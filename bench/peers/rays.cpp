@@ -8,6 +8,7 @@ namespace rc::bench {
 namespace {
 
 constexpr float kFar = 1e30f;
+constexpr float kToLight = 0.9995f, kFromSurface = 0.99999f;  // of the way between a light and a surface
 
 // Directions with the density of the cosine around the normal.
 class CosineLobe {
@@ -77,11 +78,10 @@ RayBatch secondaryRays(const Soup &soup, Kind kind, const RayBatch &primary, std
     Vec3 point = primary.origin(i) + d * hits[i].t;
     point += normal * (1e-4f * (hits[i].t + 0.01f * maxComponent(glm::abs(point))));
     const Vec3 toLight = soup.light - point;
-    const float distance = glm::length(toLight);
     // From behind it is the surface itself that keeps the light off.
     const uint32_t from = !asksBlocked(kind) || glm::dot(toLight, normal) > 0 ? hits[i].primitive : kMiss;
-    if (kind == kShadow) batch.add(point, toLight / distance, distance * 0.9995f, from);
-    if (kind == kFromLight) batch.add(soup.light, -toLight / distance, distance * 0.99999f, from);
+    if (kind == kShadow) batch.add(point, toLight, kToLight, from);
+    if (kind == kFromLight) batch.add(soup.light, -toLight, kFromSurface, from);
     if (kind == kMirror) batch.add(point, d - normal * (2 * glm::dot(d, normal)), kFar, from);
     if (kind == kDiffuse) batch.add(point, lobe(normal), kFar, from);
   }

@@ -65,6 +65,11 @@ inline constexpr float kSliver = 8;  // times longer than high
 inline constexpr float kSliverError = 8 * 0x1p-24f;
 inline constexpr float kMostOfEdge = 1.0f / 64;  // of what is thinner nobody sees more than specks
 
+// What coordinates of a triangle are rounded by grows with it.
+inline float largestCoordinate(const Vec3 &v0, const Vec3 &v1, const Vec3 &v2) {
+  return maxComponent(glm::max(glm::abs(v0), glm::max(glm::abs(v1), glm::abs(v2))));
+}
+
 // What else is known of a triangle. Without an area it has no normal.
 struct TrianglePlane {
   Vec3 flatNormal;
@@ -78,8 +83,7 @@ inline TrianglePlane planeOf(const Vec3 &v0, const Vec3 &v1, const Vec3 &v2) {
   const float slenderness = longest / doubleArea;
   const bool sliver = slenderness > kSliver && longest < kInfinity;
   const float sliverOffset = sliver ? std::sqrt(longest) * std::min(kSliverError * slenderness, kMostOfEdge) : 0;
-  const float largest = maxComponent(glm::max(glm::abs(v0), glm::max(glm::abs(v1), glm::abs(v2))));
-  return {edges / doubleArea, doubleArea, std::max(kPositionError * largest, sliverOffset)};
+  return {edges / doubleArea, doubleArea, std::max(kPositionError * largestCoordinate(v0, v1, v2), sliverOffset)};
 }
 
 inline void setPlane(const TrianglePlane &plane, HotTriangle &triangle) {

@@ -44,11 +44,12 @@ struct ScalarUnits {
   static void shade(const SceneView &scene, const RayQueue &rays, const HitQueue &hits, const Outputs &out) {
     for (size_t i = 0; i < rays.size(); ++i) shadeRay(scene, rays[i], hits[i], out);
   }
-  static void addVisible(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows,
-                         const PixelSums &sums) {
+  // The questions about one of the scene's lights.
+  static void addVisible(const SceneView &scene, size_t light, const ShadowQueue &shadows, const PixelSums &sums) {
+    const Reach reach = reachOf(scene.lights[light]);
     for (size_t i = 0; i < shadows.size(); ++i) {
       const ShadowItem item = shadows[i];
-      sums.add(item.pixel, item.colour * visibility(scene, item.ray, reachOf(light)));
+      sums.add(item.pixel, item.colour * visibility(scene, item.ray, reach));
     }
   }
   // The bytes of each pixel.
@@ -188,8 +189,7 @@ class TileTracer {
     });
     for (size_t light = 0; light < scene.lights.size(); ++light) {
       if (mShadows[light].size() == 0) continue;
-      timed(scene, &UnitTimes::shadow,
-            [&] { mUnits.addVisible(scene, scene.lights[light], mShadows[light], mSum.view()); });
+      timed(scene, &UnitTimes::shadow, [&] { mUnits.addVisible(scene, light, mShadows[light], mSum.view()); });
       mShadows[light].resize(0);
     }
   }

@@ -79,9 +79,10 @@ TEST(FilterHits, OfManyPanes) {
     onEachTarget([&] {
       FilterHits filters;
       filters.reset(3);
-      const float ends[3 + Columns::kBehind] = {100, 100, 100};
+      ddi::cpu::RayStream stream = columns.stream();
+      stream.reach.end = 100;
       uint8_t blocked[3];
-      ddi::cpu::findBlocked(view, columns.stream(), ends, blocked, &filters);
+      ddi::cpu::findBlocked(view, stream, blocked, &filters);
       EXPECT_TRUE(filters.hasTooMany(0));
       EXPECT_EQ(blocked[1], 1);
       EXPECT_FALSE(filters.meetsAny(1));

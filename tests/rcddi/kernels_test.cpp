@@ -80,7 +80,7 @@ void compareBlocked(const SceneView &scene, const SceneView &plain, std::span<co
     std::vector<uint8_t> blocked(rays.size());
     ddi::cpu::FilterHits filters;
     filters.reset(rays.size());
-    ddi::cpu::findBlocked(scene, stream, nullptr, blocked.data(), &filters);
+    ddi::cpu::findBlocked(scene, stream, blocked.data(), &filters);
     size_t different = 0;
     for (size_t i = 0; i < rays.size() && different < 3; ++i) {
       const bool tooMany = crossed[i].size() > ddi::cpu::FilterHits::kMost;
@@ -234,14 +234,14 @@ TEST(KernelOrigins, TrianglesThatARayCannotMeetChangeNothing) {
   EXPECT_GT(std::ranges::count(truth, 1), 300);
   EXPECT_GT(std::ranges::count(truth, 0), 300);
   const Columns columns(rays);
-  const std::vector<float> ends(rays.size() + Columns::kBehind, 1);
   for (std::vector<uint32_t> *from : {&origins, &neighbours}) {
     from->resize(rays.size() + Columns::kBehind, kNoPrimitive);
     onEachTarget([&] {
       ddi::cpu::RayStream stream = columns.stream();
       stream.from = from->data();
+      stream.reach.end = 1;
       std::vector<uint8_t> blocked(rays.size());
-      ddi::cpu::findBlocked(view, stream, ends.data(), blocked.data(), nullptr);
+      ddi::cpu::findBlocked(view, stream, blocked.data(), nullptr);
       EXPECT_EQ(blocked, truth);
     });
   }

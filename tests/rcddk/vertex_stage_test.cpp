@@ -118,8 +118,7 @@ TEST(VertexStage, PlanesAreThoseOfTheScalarFunction) {
       EXPECT_TRUE(same(plane.flatNormal, at(columns.flatNormal, i))) << name << ' ' << i;
       EXPECT_TRUE(same(plane.safeOffset, columns.safeOffset[i])) << name << ' ' << i;
       ++usable;
-      const Vec3 largest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
-      slivers += plane.safeOffset > hal::kPositionError * maxComponent(largest);
+      slivers += plane.safeOffset > hal::kPositionError * hal::largestCoordinate(a, b, c);
     }
   });
   for (const size_t kind : {usable, slivers, areaBeyondFloat, nowhere, withoutArea}) EXPECT_GT(kind, 0u);

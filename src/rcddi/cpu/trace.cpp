@@ -20,12 +20,11 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 void closestHitsOf(const hal::SceneView &scene, const RayStream &rays, hal::HitQueue &hits) {
   hits.resize(rays.count);
-  traceStream<false>(scene, rays, nullptr, nullptr, &hits, nullptr);
+  traceStream<false>(scene, rays, nullptr, &hits, nullptr);
 }
 
-void findBlockedOf(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked,
-                   FilterHits *filters) {
-  traceStream<true>(scene, rays, tMax, filters, nullptr, blocked);
+void findBlockedOf(const hal::SceneView &scene, const RayStream &rays, uint8_t *blocked, FilterHits *filters) {
+  traceStream<true>(scene, rays, filters, nullptr, blocked);
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
@@ -41,9 +40,8 @@ void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::HitQue
   HWY_DYNAMIC_DISPATCH(closestHitsOf)(scene, rays, hits);
 }
 
-void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked,
-                 FilterHits *filters) {
-  HWY_DYNAMIC_DISPATCH(findBlockedOf)(scene, rays, tMax, blocked, filters);
+void findBlocked(const hal::SceneView &scene, const RayStream &rays, uint8_t *blocked, FilterHits *filters) {
+  HWY_DYNAMIC_DISPATCH(findBlockedOf)(scene, rays, blocked, filters);
 }
 
 }  // namespace rc::ddi::cpu

@@ -16,7 +16,7 @@
 
 namespace rc::ddi::cpu {
 
-// Columns, tMax of findBlocked() too, can be read up to a multiple of 16.
+// Columns can be read up to a multiple of 16.
 struct RayStream {
   std::array<const float *, 3> origin, direction;
   size_t count;
@@ -32,9 +32,8 @@ struct RayStream {
 // The nearest hit of each ray: hits become as many.
 void closestHits(const hal::SceneView &scene, const RayStream &rays, hal::HitQueue &hits);
 
-// blocked[i] = 1 if a triangle that lets no light through lies within the reach of ray i, else 0. tMax, unless null:
-// the ends of all rays. filters, unless null: receives where rays that are not blocked cross the others.
-void findBlocked(const hal::SceneView &scene, const RayStream &rays, const float *tMax, uint8_t *blocked,
-                 FilterHits *filters);
+// blocked[i] = 1 if a triangle that lets no light through lies within the reach of ray i, else 0. filters, unless null:
+// receives where rays that are not blocked cross the others.
+void findBlocked(const hal::SceneView &scene, const RayStream &rays, uint8_t *blocked, FilterHits *filters);
 
 }  // namespace rc::ddi::cpu

@@ -34,7 +34,8 @@ void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, bool pr
   }
 }
 
-RayStream CpuUnits::streamOf(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows) {
+RayStream CpuUnits::streamOf(const SceneView &scene, size_t place, const ShadowQueue &shadows) {
+  const LightRow &light = scene.lights[place];
   RayStream rays{.origin = columnsOf(shadows.origin),
                  .direction = columnsOf(shadows.direction),
                  .count = shadows.size(),
@@ -43,21 +44,20 @@ RayStream CpuUnits::streamOf(const SceneView &scene, const LightRow &light, cons
                  .reach = reachOf(light)};
   if (!rays.common) return rays;
   mLights.resize(std::max(mLights.size(), scene.lights.size()));
-  rays.origin = mLights[static_cast<size_t>(&light - scene.lights.data())].columns(light.position);
+  rays.origin = mLights[place].columns(light.position);
   return rays;
 }
 
-void CpuUnits::addVisible(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows,
-                          const PixelSums &sums) {
+void CpuUnits::addVisible(const SceneView &scene, size_t light, const ShadowQueue &shadows, const PixelSums &sums) {
   const size_t count = shadows.size();
   mBlocked.resize(count);
   const RayStream rays = streamOf(scene, light, shadows);
   if (!scene.filtersShadow()) {
-    findBlocked(scene, rays, nullptr, mBlocked.data(), nullptr);
+    findBlocked(scene, rays, mBlocked.data(), nullptr);
     return addLit(shadows, mBlocked.data(), sums);
   }
   mFilters.reset(count);
-  findBlocked(scene, rays, nullptr, mBlocked.data(), &mFilters);
+  findBlocked(scene, rays, mBlocked.data(), &mFilters);
   // Rays that meet nothing are lit, those that meet filters alone follow.
   mFiltered.resize(0);
   for (uint32_t i = 0; i < count; ++i) {
@@ -66,7 +66,7 @@ void CpuUnits::addVisible(const SceneView &scene, const LightRow &light, const S
     mFiltered.push_back(i);
   }
   addLit(shadows, mBlocked.data(), sums);
-  for (size_t k = 0; k < mFiltered.size(); ++k) addFiltered(scene, light, shadows, mFiltered[k], sums);
+  for (size_t k = 0; k < mFiltered.size(); ++k) addFiltered(scene, scene.lights[light], shadows, mFiltered[k], sums);
 }
 
 void CpuUnits::addFiltered(const SceneView &scene, const LightRow &light, const ShadowQueue &shadows, uint32_t ray,

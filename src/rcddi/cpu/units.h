@@ -43,18 +43,18 @@ class CpuUnits {
                     const hal::Outputs &out) {
     cpu::shade(scene, rays, hits, out);
   }
-  void addVisible(const hal::SceneView &scene, const hal::LightRow &light, const hal::ShadowQueue &shadows,
+  void addVisible(const hal::SceneView &scene, size_t light, const hal::ShadowQueue &shadows,
                   const hal::PixelSums &sums);
   static void pack(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
     cpu::pack(sums, count, share, rgb565, bytes);
   }
 
  private:
-  RayStream streamOf(const hal::SceneView &scene, const hal::LightRow &light, const hal::ShadowQueue &shadows);
+  RayStream streamOf(const hal::SceneView &scene, size_t place, const hal::ShadowQueue &shadows);
   void addFiltered(const hal::SceneView &scene, const hal::LightRow &light, const hal::ShadowQueue &shadows,
                    uint32_t ray, const hal::PixelSums &sums) const;
 
-  std::vector<OneOrigin> mLights;
+  std::vector<OneOrigin> mLights;   // that send shadow rays
   hal::Column<uint8_t> mBlocked;    // by shadow ray
   hal::Column<uint32_t> mFiltered;  // those that cross filters alone
   FilterHits mFilters;

@@ -7,8 +7,7 @@ namespace rc::ddk {
 using hal::HotTriangle;
 
 float boxMargin(const HotTriangle &triangle) {
-  const Vec3 largest = glm::max(glm::abs(triangle.v0), glm::max(glm::abs(triangle.v1), glm::abs(triangle.v2)));
-  return std::max(maxComponent(largest) * kMarginShare, kLeastMargin);
+  return std::max(hal::largestCoordinate(triangle.v0, triangle.v1, triangle.v2) * kMarginShare, kLeastMargin);
 }
 
 Array<Reference> makeReferences(std::span<const HotTriangle> triangles, Bounds &all) {

@@ -89,15 +89,16 @@ HWY_INLINE void classify(const RayStream &rays, size_t first, size_t count, int3
   }
 }
 
-// kOne: the rays are known to have one origin. tMax: null if all end at the reach.
+// kOne: the rays are known to have one origin. A sum is no number if one of its parts is none.
 template <bool kAny, bool kOne>
-HWY_INLINE void setUpColumns(Batch &batch, const float *tMax) {
+HWY_INLINE void setUpColumns(Batch &batch) {
   const D16 d;
   const hn::RebindToUnsigned<D16> du;
   using V = hn::Vec<D16>;
   const float *ox = batch.origin[batch.kx], *oy = batch.origin[batch.ky], *oz = batch.origin[batch.kz];
   const V x0 = hn::Set(d, ox[0]), y0 = hn::Set(d, oy[0]), z0 = hn::Set(d, oz[0]), sign = hn::Set(d, batch.zSign);
-  const V one = hn::Add(x0, hn::Add(y0, z0)), oneDepth = hn::Mul(z0, sign);
+  const V one = hn::Add(x0, hn::Add(y0, z0)), oneDepth = hn::Mul(z0, sign),
+          t = hn::Set(d, kAny ? batch.reach.end : kInfinity);
   auto same = hn::Eq(sign, sign), numbers = hn::Eq(one, one);
   V size = hn::Max(hn::Abs(x0), hn::Max(hn::Abs(y0), hn::Abs(z0)));
   V fastest = hn::Zero(d), slowest = hn::Set(d, kInfinity), start = oneDepth, end = hn::Neg(slowest);
@@ -121,9 +122,9 @@ HWY_INLINE void setUpColumns(Batch &batch, const float *tMax) {
     hn::Store(sx, d, batch.sx + i);
     hn::Store(sy, d, batch.sy + i);
     hn::Store(sz, d, batch.sz + i);
-    const V t = tMax ? hn::LoadU(d, tMax + i) : hn::Set(d, batch.reach.end), slopes = hn::Add(sx, sy);
     hn::Store(t, d, batch.t + i);
-    numbers = hn::And(numbers, hn::And(hn::Eq(slopes, slopes), hn::Eq(t, t)));
+    const V slopes = hn::Add(sx, sy);
+    numbers = hn::And(numbers, hn::Eq(slopes, slopes));
     end = hn::Max(end, hn::MulAdd(t, speed, depth));
     if constexpr (!kAny) {
       hn::Store(hn::Zero(d), d, batch.u + i);
@@ -142,7 +143,7 @@ HWY_INLINE void setUpColumns(Batch &batch, const float *tMax) {
 
 // Everything but the pointers to the columns and index.
 template <bool kAny>
-HWY_INLINE void setUp(Batch &batch, const RayStream &stream, size_t rays, int rayClass, const float *tMax) {
+HWY_INLINE void setUp(Batch &batch, const RayStream &stream, size_t rays, int rayClass) {
   batch.rays = rays;
   batch.packets = (rays + kPacketRays - 1) / kPacketRays;
   batch.kz = rayClass / 2;
@@ -151,9 +152,9 @@ HWY_INLINE void setUp(Batch &batch, const RayStream &stream, size_t rays, int ra
   if (rayClass & 1) std::swap(batch.kx, batch.ky);  // keeps the winding
   batch.zSign = rayClass & 1 ? -1.0f : 1.0f;
   if (stream.common) {
-    setUpColumns<kAny, true>(batch, tMax);
+    setUpColumns<kAny, true>(batch);
   } else {
-    setUpColumns<kAny, false>(batch, tMax);
+    setUpColumns<kAny, false>(batch);
   }
 }
 

@@ -157,8 +157,7 @@ HWY_INLINE void pack(const float *from, hn::Mask<D16> lanes, size_t n, float *co
 
 // Copies the rays of a class into the batch's own columns, and the last one over the rest of its packet. Returns how
 // many.
-HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t count, int rayClass, const float *tMax,
-                         float *tColumn, Batch &batch) {
+HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t count, int rayClass, Batch &batch) {
   const D16 d;
   const hn::RebindToSigned<D16> di;
   const hn::RebindToUnsigned<D16> du;
@@ -171,7 +170,6 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
       if (!rays.common) pack(rays.origin[axis] + from, lanes, n, batch.columns[axis]);
       pack(rays.direction[axis] + from, lanes, n, batch.columns[3 + axis]);
     }
-    if (tMax) pack(tMax + from, lanes, n, tColumn);
     const auto index = countFrom(du, i);
     hn::StoreU(packed(du, index, hn::RebindMask(du, lanes)), du, batch.index + n);
     if (rays.from) {
@@ -183,7 +181,6 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
   for (size_t k = rays.common ? 3 : 0; k < 6 && rest; ++k) {
     std::fill_n(batch.columns[k] + n, rest, batch.columns[k][n - 1]);
   }
-  if (tMax && rest) std::fill_n(tColumn + n, rest, tColumn[n - 1]);
   if (rays.from && rest) std::fill_n(batch.fromColumn + n, rest, batch.fromColumn[n - 1]);
   batch.from = rays.from ? batch.fromColumn : nullptr;
   for (int axis = 0; axis < 3; ++axis) {
@@ -195,7 +192,7 @@ HWY_INLINE size_t gather(const RayStream &rays, const int32_t *classes, size_t c
 
 template <bool kAny>
 HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, size_t first, size_t count,
-                           const float *tMax, FilterHits *filters, hal::HitQueue *hits, uint8_t *blocked) {
+                           FilterHits *filters, hal::HitQueue *hits, uint8_t *blocked) {
   Batch batch;
   batch.first = first;
   batch.reach = rays.reach;
@@ -208,26 +205,25 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
       batch.direction[axis] = rays.direction[axis] + first;
     }
     batch.from = rays.from ? rays.from + first : nullptr;
-    setUp<kAny>(batch, rays, count, common, tMax ? tMax + first : nullptr);
+    setUp<kAny>(batch, rays, count, common);
     return traceClass<kAny>(scene, batch, hits, blocked);
   }
   alignas(64) int32_t classes[kBatchRays];
   classify(rays, first, count, classes);
-  alignas(64) float tColumn[kRoom];
   for (int rayClass = 0; rayClass < int(kClasses); ++rayClass) {
-    const size_t n = gather(rays, classes, count, rayClass, tMax, tColumn, batch);
+    const size_t n = gather(rays, classes, count, rayClass, batch);
     if (n == 0) continue;
-    setUp<kAny>(batch, rays, n, rayClass, tMax ? tColumn : nullptr);
+    setUp<kAny>(batch, rays, n, rayClass);
     traceClass<kAny>(scene, batch, hits, blocked);
   }
 }
 
-// tMax: null if all end at the reach. filters: of rays that ask kAny; may be null.
+// filters: of rays that ask kAny; may be null.
 template <bool kAny>
-inline void traceStream(const hal::SceneView &scene, const RayStream &rays, const float *tMax, FilterHits *filters,
-                        hal::HitQueue *hits, uint8_t *blocked) {
+inline void traceStream(const hal::SceneView &scene, const RayStream &rays, FilterHits *filters, hal::HitQueue *hits,
+                        uint8_t *blocked) {
   for (size_t first = 0; first < rays.count; first += kBatchRays) {
-    traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), tMax, filters, hits, blocked);
+    traceGroup<kAny>(scene, rays, first, std::min(kBatchRays, rays.count - first), filters, hits, blocked);
   }
 }
 
