@@ -44,6 +44,7 @@ class TilePixels {
     mColumns = -1;
   }
   size_t size() const { return column.size(); }
+  bool areWholeBlocks() const { return mColumns > 0 && mColumns % kBlock == 0 && mRows % kBlock == 0; }
   // The place of a pixel in the order of a whole tile.
   size_t placeOf(int x, int y) const {
     const int left = x / kBlock * kBlock, bottom = y / kBlock * kBlock;

@@ -52,9 +52,14 @@ struct ScalarUnits {
       sums.add(item.pixel, item.colour * visibility(scene, item.ray, reach));
     }
   }
-  // The bytes of each pixel.
-  static void pack(const PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
-    for (size_t i = 0; i < count; ++i) bytes[i] = packColour(sums[i] * share, rgb565);
+  // The picture gets the pixels of the tile: of several samples the mean.
+  static void store(const SceneView &scene, const Target &target, const Tile &tile, const TilePixels &pixels,
+                    const PixelSums &sums) {
+    const float share = 1 / static_cast<float>(scene.samples);
+    for (size_t i = 0; i < pixels.size(); ++i) {
+      uint32_t &pixel = pixelAt(target, tile.column + pixels.column[i], tile.row + pixels.row[i]);
+      hal::store(pixel, packColour(sums[i] * share, target.rgb565), scene.writeMask);
+    }
   }
 };
 
@@ -92,7 +97,8 @@ class TileTracer {
       choosePixels(scene, tile);
       traceSamples(scene, tile);
     }
-    timed(scene, &UnitTimes::store, [&] { store(scene, tile, target); });
+    Sums &sums = scene.samples == 1 ? mSum : mPicture;
+    timed(scene, &UnitTimes::store, [&] { mUnits.store(scene, target, tile, mPixels, sums.view()); });
   }
 
   // The lines that the picture will be written to.
@@ -180,7 +186,7 @@ class TileTracer {
   }
 
   // same: the queue of rays that went straight on.
-  void traceRays(const SceneView &scene, int bounces, const RayQueue &rays, RayQueue &same, RayQueue &next) {
+  void traceRays(const SceneView &scene, int bounces, RayQueue &rays, RayQueue &same, RayQueue &next) {
     mHits.resize(rays.size());
     timed(scene, bounces == 0 ? &UnitTimes::primary : &UnitTimes::secondary,
           [&] { mUnits.closestHits(scene, rays, &rays == &mPrimary, mHits); });
@@ -194,26 +200,6 @@ class TileTracer {
     }
   }
 
-  void store(const SceneView &scene, const Tile &tile, const Target &target) {
-    mBytes.resize(mPixels.size());
-    mUnits.pack((scene.samples == 1 ? mSum : mPicture).view(), mPixels.size(), 1.0f / static_cast<float>(scene.samples),
-                target.rgb565, mBytes.data());
-    if (scene.writeMask == ~0u && tile.columns % TilePixels::kBlock == 0) return storeRows(tile, target);
-    for (size_t i = 0; i < mPixels.size(); ++i) {
-      uint32_t &pixel = pixelAt(target, tile.column + mPixels.column[i], tile.row + mPixels.row[i]);
-      hal::store(pixel, mBytes[i], scene.writeMask);
-    }
-  }
-  // The rows of blocks as they are.
-  void storeRows(const Tile &tile, const Target &target) {
-    uint32_t *const corner = &pixelAt(target, tile.column, tile.row);
-    const int32_t *const columns = mPixels.column.data(), *const rows = mPixels.row.data();
-    const uint32_t *const bytes = mBytes.data();
-    for (size_t i = 0, count = mPixels.size(); i < count; i += TilePixels::kBlock) {
-      std::copy_n(bytes + i, TilePixels::kBlock, corner + columns[i] - ptrdiff_t(rows[i]) * target.width);
-    }
-  }
-
   size_t mBatch;
   Units mUnits;
   TilePixels mPixels;             // all of the tile
@@ -224,7 +210,6 @@ class TileTracer {
   HitQueue mHits;
   std::vector<ShadowQueue> mShadows;  // by light
   Sums mSum, mPicture;
-  Column<uint32_t> mBytes;
   RayCounts mCounts;
 };
 

@@ -26,7 +26,7 @@ struct Columns {
         values[3 + axis].push_back(ray.direction[axis]);
       }
     }
-    for (auto &column : values) column.resize(rays.size() + kBehind);
+    for (auto &column : values) column.resize(rays.size() + kBehind, rays.empty() ? 0 : column.back());
   }
   ddi::cpu::RayStream stream() const {
     return {{values[0].data(), values[1].data(), values[2].data()},

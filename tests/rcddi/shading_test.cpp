@@ -99,6 +99,21 @@ TEST(Pixels, OfFiveSixAndFiveBitsAreThoseOfEightRounded) {
   });
 }
 
+// Tiles of whole blocks of pixels take a way of their own.
+TEST(Pixels, OfTilesOfAnySizeAreWhereTheyBelong) {
+  const RandomScene scene(4);
+  SceneView view = scene.view();
+  for (const PixelRect &part : {PixelRect{0, 0, 40, 28}, PixelRect{3, 1, 32, 16}, PixelRect{0, 0, 39, 28},
+                                PixelRect{1, 0, 36, 27}, PixelRect{7, 5, 4, 4}, PixelRect{7, 5, 3, 2}}) {
+    view.scissor = part;
+    for (const uint32_t mask : {~0u, 0xff00ffffu}) {
+      view.writeMask = mask;
+      const Picture truth = render("ref", 1, view);
+      onEachTarget([&] { EXPECT_LE(largestDifference(render("cpu", 1, view), truth), 1); });
+    }
+  }
+}
+
 // The same choice of pixels on every device, and hardly another picture than with all samples everywhere.
 TEST_P(FewerRays, AdaptiveSamplesAreWhereTheyAreSeen) {
   const RandomScene scene(GetParam());

@@ -62,6 +62,7 @@ class CpuDevice final : public Device {
         columns[3 + axis][i] = rays[i].direction[axis];
       }
     }
+    for (float *column : columns) RayStream::pad(column, rays.size());
     HitQueue found;
     closestHits(scene, {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}, rays.size()},
                 found);

@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "rcddi/cpu/shading/pixels-inl.h"
+#include "rcddi/cpu/shading/rays-inl.h"
 #include "rcddi/cpu/shading/shade-inl.h"
 #include "rcddi/cpu/shading/sums-inl.h"
 
@@ -34,8 +35,9 @@ void addLitOn(const hal::ShadowQueue &shadows, const uint8_t *blocked, const hal
   addUnblocked(shadows, blocked, sums);
 }
 
-void packOn(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
-  packPixels(sums, count, share, rgb565, bytes);
+void storeOn(const hal::SceneView &scene, const hal::Target &target, const hal::Tile &tile,
+             const hal::TilePixels &pixels, const hal::PixelSums &sums) {
+  storePixels(scene, target, tile, pixels, sums);
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
@@ -47,7 +49,7 @@ namespace rc::ddi::cpu {
 HWY_EXPORT(generateOn);
 HWY_EXPORT(shadeOn);
 HWY_EXPORT(addLitOn);
-HWY_EXPORT(packOn);
+HWY_EXPORT(storeOn);
 
 void generate(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
               hal::PixelSample sample, hal::RayQueue &rays) {
@@ -62,8 +64,9 @@ void addLit(const hal::ShadowQueue &shadows, const uint8_t *blocked, const hal::
   HWY_DYNAMIC_DISPATCH(addLitOn)(shadows, blocked, sums);
 }
 
-void pack(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
-  HWY_DYNAMIC_DISPATCH(packOn)(sums, count, share, rgb565, bytes);
+void store(const hal::SceneView &scene, const hal::Target &target, const hal::Tile &tile, const hal::TilePixels &pixels,
+           const hal::PixelSums &sums) {
+  HWY_DYNAMIC_DISPATCH(storeOn)(scene, target, tile, pixels, sums);
 }
 
 }  // namespace rc::ddi::cpu

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// shade.h: ray generation, shading and packing of pixels, many at a time, in the widest instructions the machine has.
+// shade.h: ray generation, shading and storing of pixels, many at a time, in the widest instructions the machine has.
 // The geometry of it is that of rchal/units to the last bit; sums may be in another order.
 #pragma once
 
+#include "rchal/device.h"
 #include "rchal/tile.h"
 #include "rchal/units/shading.h"
 
@@ -20,7 +21,8 @@ void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::Hi
 // Adds the colours of shadow rays that were not blocked (0) to their pixels. blocked: a Column's.
 void addLit(const hal::ShadowQueue &shadows, const uint8_t *blocked, const hal::PixelSums &sums);
 
-// Sums to bytes, times share. bytes: a Column's.
-void pack(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes);
+// The sums of all pixels of a tile to the picture.
+void store(const hal::SceneView &scene, const hal::Target &target, const hal::Tile &tile, const hal::TilePixels &pixels,
+           const hal::PixelSums &sums);
 
 }  // namespace rc::ddi::cpu

@@ -16,7 +16,8 @@
 
 namespace rc::ddi::cpu {
 
-// Columns can be read up to a multiple of 16.
+// Columns can be read up to a multiple of kPacket. What lies there counts for nothing, but rays like the last one keep
+// those of a group together: see pad().
 struct RayStream {
   std::array<const float *, 3> origin, direction;
   size_t count;
@@ -26,7 +27,13 @@ struct RayStream {
   bool common = false;  // all rays start at one point, which `origin` has for those of a group, and need not for more
   hal::Reach reach{};   // of those that ask what blocks them
 
-  static constexpr size_t kGroup = 512;
+  static constexpr size_t kPacket = 16, kGroup = 512;
+
+  // Repeats the last of a column's values up to a multiple of kPacket.
+  template <class T>
+  static void pad(T *values, size_t count) {
+    for (size_t i = count; i % kPacket; ++i) values[i] = values[count - 1];
+  }
 };
 
 // The nearest hit of each ray: hits become as many.

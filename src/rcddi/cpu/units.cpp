@@ -15,9 +15,14 @@ using Columns = std::array<const float *, 3>;
 
 Columns columnsOf(const VectorsOfQueue &vectors) { return {vectors.x.data(), vectors.y.data(), vectors.z.data()}; }
 
+void pad(VectorsOfQueue &vectors, size_t count) {
+  for (FloatsOfQueue *column : {&vectors.x, &vectors.y, &vectors.z}) RayStream::pad(column->data(), count);
+}
+
 }  // namespace
 
-void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, bool primary, HitQueue &hits) {
+void CpuUnits::closestHits(const SceneView &scene, RayQueue &rays, bool primary, HitQueue &hits) {
+  for (VectorsOfQueue *vectors : {&rays.origin, &rays.direction}) pad(*vectors, rays.size());
   cpu::closestHits(scene,
                    {.origin = columnsOf(rays.origin),
                     .direction = columnsOf(rays.direction),
@@ -34,11 +39,15 @@ void CpuUnits::closestHits(const SceneView &scene, const RayQueue &rays, bool pr
   }
 }
 
-RayStream CpuUnits::streamOf(const SceneView &scene, size_t place, const ShadowQueue &shadows) {
+RayStream CpuUnits::streamOf(const SceneView &scene, size_t place, ShadowQueue &shadows) {
   const LightRow &light = scene.lights[place];
+  const size_t count = shadows.size();
+  pad(shadows.direction, count);
+  RayStream::pad(shadows.from.data(), count);
+  if (!light.sendsShadowRays) pad(shadows.origin, count);
   RayStream rays{.origin = columnsOf(shadows.origin),
                  .direction = columnsOf(shadows.direction),
-                 .count = shadows.size(),
+                 .count = count,
                  .from = shadows.from.data(),
                  .common = light.sendsShadowRays,
                  .reach = reachOf(light)};
@@ -48,7 +57,7 @@ RayStream CpuUnits::streamOf(const SceneView &scene, size_t place, const ShadowQ
   return rays;
 }
 
-void CpuUnits::addVisible(const SceneView &scene, size_t light, const ShadowQueue &shadows, const PixelSums &sums) {
+void CpuUnits::addVisible(const SceneView &scene, size_t light, ShadowQueue &shadows, const PixelSums &sums) {
   const size_t count = shadows.size();
   mBlocked.resize(count);
   const RayStream rays = streamOf(scene, light, shadows);

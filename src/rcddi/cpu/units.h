@@ -38,19 +38,19 @@ class CpuUnits {
                        hal::PixelSample sample, hal::RayQueue &rays) {
     cpu::generate(scene, tile, pixels, sample, rays);
   }
-  static void closestHits(const hal::SceneView &scene, const hal::RayQueue &rays, bool primary, hal::HitQueue &hits);
+  static void closestHits(const hal::SceneView &scene, hal::RayQueue &rays, bool primary, hal::HitQueue &hits);
   static void shade(const hal::SceneView &scene, const hal::RayQueue &rays, const hal::HitQueue &hits,
                     const hal::Outputs &out) {
     cpu::shade(scene, rays, hits, out);
   }
-  void addVisible(const hal::SceneView &scene, size_t light, const hal::ShadowQueue &shadows,
-                  const hal::PixelSums &sums);
-  static void pack(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
-    cpu::pack(sums, count, share, rgb565, bytes);
+  void addVisible(const hal::SceneView &scene, size_t light, hal::ShadowQueue &shadows, const hal::PixelSums &sums);
+  static void store(const hal::SceneView &scene, const hal::Target &target, const hal::Tile &tile,
+                    const hal::TilePixels &pixels, const hal::PixelSums &sums) {
+    cpu::store(scene, target, tile, pixels, sums);
   }
 
  private:
-  RayStream streamOf(const hal::SceneView &scene, size_t place, const hal::ShadowQueue &shadows);
+  RayStream streamOf(const hal::SceneView &scene, size_t place, hal::ShadowQueue &shadows);
   void addFiltered(const hal::SceneView &scene, const hal::LightRow &light, const hal::ShadowQueue &shadows,
                    uint32_t ray, const hal::PixelSums &sums) const;
 

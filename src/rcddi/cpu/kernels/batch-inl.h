@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
 
-constexpr size_t kPacketRays = 16;
+constexpr size_t kPacketRays = RayStream::kPacket;
 constexpr size_t kPackets = 32;
 constexpr size_t kBatchRays = kPacketRays * kPackets;
 static_assert(kBatchRays == RayStream::kGroup);

@@ -197,7 +197,7 @@ HWY_INLINE void traceGroup(const hal::SceneView &scene, const RayStream &rays, s
   batch.first = first;
   batch.reach = rays.reach;
   batch.filters = filters;
-  const int common = count % kPacketRays == 0 ? commonClass(rays, first, count) : -1;
+  const int common = commonClass(rays, first, count);
   batch.inPlace = common >= 0;
   if (batch.inPlace) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// pixels-inl.h: the two ends of a frame for lanes: units/ray_generation.h, and colours to bytes as framebuffer.h has
-// it.
+// pixels-inl.h: framebuffer.h for lanes: sums of the pixels of a tile to bytes, and these to the picture.
 #if defined(RAYCORE_SHADING_PIXELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCORE_SHADING_PIXELS_INL
 #undef RAYCORE_SHADING_PIXELS_INL
@@ -13,61 +12,9 @@
 #include "rcddi/cpu/shading/lanes-inl.h"
 #include "rchal/framebuffer.h"
 #include "rchal/tile.h"
-#include "rchal/units/ray_generation.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rc::ddi::cpu::HWY_NAMESPACE {
-
-// Position of pixels along one axis of the camera's window.
-HWY_INLINE F windowPosition(float start, float size, int first, float offset, int count, const int32_t *inTile) {
-  const ITag di;
-  const F pixel = hn::ConvertTo(FTag(), hn::Add(hn::Set(di, first), hn::LoadU(di, inTile)));
-  const F place = hn::Mul(all(size), hn::Add(pixel, all(offset)));
-  return hn::Add(all(start), hn::Div(place, all(static_cast<float>(count))));
-}
-
-// What is the same for all rays of a camera, from the rays that have it already on. hal::primaryRay() tells it.
-HWY_INLINE void fillCommonColumns(const hal::RayItem &one, float tolerance, size_t from, hal::RayQueue &rays) {
-  const size_t count = rays.size();
-  const UTag du;
-  for (size_t i = from / lanes() * lanes(); i < count; i += lanes()) {
-    store(all(one.ray.origin), i, rays.origin);
-    store(all(one.weight), i, rays.weight);
-    store(all(one.after.t), i, rays.afterT);
-    store(hn::Set(du, one.after.primitive), i, rays.afterPrimitive);
-    store(hn::Zero(du), i, rays.afterSeen);
-    store(hn::Zero(du), i, rays.layers);
-    store(all(one.coneWidth), i, rays.coneWidth);
-    store(all(one.travelled), i, rays.travelled);
-    store(all(tolerance), i, rays.tolerance);
-    store(countFrom(du, i), i, rays.pixel);
-  }
-}
-
-// rays: as many as there are have the common columns of this frame's.
-HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile, const hal::TilePixels &pixels,
-                             hal::PixelSample sample, hal::RayQueue &rays) {
-  const hal::CameraView &camera = scene.camera;
-  const hal::RayItem one = hal::primaryRay(camera, tile.column, tile.row, sample);
-  const size_t count = pixels.size(), before = rays.size();
-  rays.resize(count);
-  if (before < count) fillCommonColumns(one, scene.ignorable, before, rays);
-  for (size_t i = 0; i < count; i += lanes()) {
-    const F x =
-        windowPosition(camera.left, camera.width, tile.column, sample.place.x, camera.columns, &pixels.column[i]);
-    const F y = windowPosition(camera.bottom, camera.height, tile.row, sample.place.y, camera.rows, &pixels.row[i]);
-    const V3 inWindow = x * all(camera.right) + y * all(camera.up);
-    const V3 toWindow = all(camera.back * camera.near);
-    store(all(one.coneSpread), i, rays.coneSpread);
-    if (camera.parallel) {
-      store(all(one.ray.direction), i, rays.direction);
-      store(all(camera.eye) + x * all(camera.right) + y * all(camera.up) - toWindow, i, rays.origin);
-      store(all(one.coneWidth), i, rays.coneWidth);
-    } else {
-      store(directionOf(inWindow - toWindow, all(-camera.back)), i, rays.direction);
-    }
-  }
-}
 
 HWY_INLINE U byteOf(F colour) {
   const ITag di;
@@ -83,19 +30,56 @@ HWY_INLINE U roundTo565(U rgba) {
   return hn::Or(bits(rgba, hal::rgb565::kKept), hn::Or(redAndBlue, green));
 }
 
-// bytes: has room for a vector behind its end.
-HWY_INLINE void packPixels(const hal::PixelSums &sums, size_t count, float share, bool rgb565, uint32_t *bytes) {
+// The pixels from i on.
+HWY_INLINE U bytesOf(const hal::PixelSums &sums, size_t i, float share, bool rgb565) {
   const FTag d;
-  const UTag du;
-  for (size_t i = 0; i < count; i += lanes()) {
-    const V3 colour =
-        all(share) * V3{hn::LoadU(d, sums.red + i), hn::LoadU(d, sums.green + i), hn::LoadU(d, sums.blue + i)};
-    const U low = hn::Or(byteOf(colour.x), hn::ShiftLeft<8>(byteOf(colour.y)));
-    const U high = hn::Or(hn::ShiftLeft<16>(byteOf(colour.z)), hn::Set(du, 0xff000000u));
-    const U rgba = hn::Or(low, high);
-    hn::StoreU(rgb565 ? roundTo565(rgba) : rgba, du, bytes + i);
+  const V3 sum{hn::LoadU(d, sums.red + i), hn::LoadU(d, sums.green + i), hn::LoadU(d, sums.blue + i)};
+  const V3 colour = all(share) * sum;
+  const U low = hn::Or(byteOf(colour.x), hn::ShiftLeft<8>(byteOf(colour.y)));
+  const U high = hn::Or(hn::ShiftLeft<16>(byteOf(colour.z)), hn::Set(UTag(), 0xff000000u));
+  const U rgba = hn::Or(low, high);
+  return rgb565 ? roundTo565(rgba) : rgba;
+}
+
+// Stores four lanes at a time. place(i): where lane i and the next three go.
+template <class D, class Place>
+HWY_INLINE void storeByFour(D d, hn::Vec<D> value, size_t i, Place &&place) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (hn::MaxLanes(D()) > 4) {
+    const hn::Half<D> half;
+    storeByFour(half, hn::LowerHalf(half, value), i, place);
+    storeByFour(half, hn::UpperHalf(half, value), i + hn::MaxLanes(half), place);
+    return;
+  }
+#endif
+  hn::StoreU(value, d, place(i));
+}
+
+// Pixels of which some bits are kept, or which do not come in whole blocks.
+template <class Place>
+HWY_INLINE void storeOneByOne(U rgba, size_t first, size_t count, uint32_t writeMask, Place &&place) {
+  alignas(64) uint32_t bytes[kMostLanes];
+  hn::Store(rgba, UTag(), bytes);
+  for (size_t i = 0; i < count; ++i) hal::store(*place(first + i), bytes[i], writeMask);
+}
+
+HWY_INLINE void storePixels(const hal::SceneView &scene, const hal::Target &target, const hal::Tile &tile,
+                            const hal::TilePixels &pixels, const hal::PixelSums &sums) {
+  const float share = 1 / static_cast<float>(scene.samples);
+  uint32_t *const corner = &hal::pixelAt(target, tile.column, tile.row);
+  const int32_t *const columns = pixels.column.data(), *const rows = pixels.row.data();
+  const auto place = [&](size_t i) HWY_ATTR { return corner + columns[i] - ptrdiff_t(rows[i]) * target.width; };
+  const bool whole = scene.writeMask == ~0u && pixels.areWholeBlocks();
+  for (size_t i = 0; i < pixels.size(); i += lanes()) {
+    const U rgba = bytesOf(sums, i, share, target.rgb565);
+    if (whole) {
+      storeByFour(UTag(), rgba, i, place);
+    } else {
+      storeOneByOne(rgba, i, std::min(lanes(), pixels.size() - i), scene.writeMask, place);
+    }
   }
 }
+
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
