@@ -21,26 +21,19 @@ namespace rc::ddi::cpu::HWY_NAMESPACE {
 
 using BeamEntry = LanesEntryOf<kPackets>;
 
+inline constexpr hal::TriangleBlock4 kEmptyBlock = [] {
+  hal::TriangleBlock4 block{};
+  for (uint32_t &primitive : block.primitive) primitive = hal::TriangleBlock4::kNone;
+  return block;
+}();
+
 // Leaves that wait until there are triangles for all lanes.
 struct WaitingLeaves {
-  static constexpr size_t kMost = kLanes / hal::TriangleBlock4::kWidth;
-
-  const hal::TriangleBlock4 *blocks[kMost];  // on their way into the cache
+  Blocks blocks;  // on their way into the cache
   size_t count = 0;
   uint32_t packets = 0;  // that meet the box of a leaf
   size_t tests = 0;      // of a triangle with a packet, so far
 };
-
-HWY_INLINE void clearQuarter(size_t quarter, TriangleLanes &triangles) {
-  const D4 d;
-  const hn::RebindToUnsigned<D4> du;
-  for (size_t i = quarter * 4; i < quarter * 4 + 4; i += hn::Lanes(d)) {
-    for (auto &vertex : triangles.corners) {
-      for (auto &column : vertex) hn::Store(hn::Zero(d), d, column + i);
-    }
-    hn::Store(hn::Set(du, hal::TriangleBlock4::kNone), du, triangles.primitive + i);
-  }
-}
 
 // Where the packets of the beam meet the box of a child; infinity if they do not.
 HWY_INLINE void meetPackets(const hal::BvhNode8 &node, uint32_t child, const Batch &batch, const Beam &beam,
@@ -173,8 +166,8 @@ template <bool kAny, bool kCommon>
 HWY_INLINE void intersectLeaves(const Geometry &geometry, Batch &batch, Beam &beam, WaitingLeaves &leaves) {
   const D16 d;
   TriangleLanes triangles;
-  for (size_t i = 0; i < leaves.count; ++i) addBlock(geometry, *leaves.blocks[i], batch, i, triangles);
-  for (size_t i = leaves.count; i < WaitingLeaves::kMost; ++i) clearQuarter(i, triangles);
+  for (size_t i = leaves.count; i < kBlocks; ++i) leaves.blocks[i] = &kEmptyBlock;
+  setTriangles(geometry, leaves.blocks, batch, triangles);
   Outlines outlines;
   outline(triangles, batch, beam, outlines);
   Pairs pairs;
@@ -225,7 +218,7 @@ HWY_NOINLINE bool walkWithBeam(const Geometry &geometry, Batch &batch, Beam &bea
     if (at.child & hal::BvhNode8::kLeaf) {
       leaves.blocks[leaves.count++] = &accel.blocks[at.child & ~hal::BvhNode8::kLeaf];
       leaves.packets |= packets;
-      if (leaves.count == WaitingLeaves::kMost) intersectLeaves<kAny, kCommon>(geometry, batch, beam, leaves);
+      if (leaves.count == kBlocks) intersectLeaves<kAny, kCommon>(geometry, batch, beam, leaves);
     } else {
       std::memcpy(entered, at.near, sizeof entered);
       depth = pushChildren(accel, accel.bvhNodes[at.child], batch, beam, entered, stack, depth);

@@ -28,23 +28,41 @@ struct alignas(64) TriangleLanes {
   uint32_t primitive[kLanes];   // through both sets; TriangleBlock4::kNone: there is none
 };
 
-// Copies a block into a quarter of the lanes.
-HWY_INLINE void addBlock(const Geometry &geometry, const hal::TriangleBlock4 &block, const Batch &batch, size_t quarter,
-                         TriangleLanes &out) {
-  const D4 d;
-  const hn::RebindToUnsigned<D4> du;
+constexpr size_t kBlocks = kLanes / hal::TriangleBlock4::kWidth;
+using Blocks = const hal::TriangleBlock4 *[kBlocks];
+
+// The lanes from `first` on of what four values of each block are. As whole vectors: one that is put together in memory
+// would be waited for when it is read.
+template <class D, class Values>
+HWY_INLINE hn::Vec<D> loadLanes(D d, const Blocks &blocks, size_t first, Values &&values) {
+  constexpr size_t kWidth = hal::TriangleBlock4::kWidth;
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (hn::MaxLanes(D()) > kWidth) {
+    const hn::Half<D> half;
+    return hn::Combine(d, loadLanes(half, blocks, first + hn::MaxLanes(half), values),
+                       loadLanes(half, blocks, first, values));
+  }
+#endif
+  return hn::LoadU(d, values(*blocks[first / kWidth]) + first % kWidth);
+}
+
+// The triangles of four blocks.
+HWY_INLINE void setTriangles(const Geometry &geometry, const Blocks &blocks, const Batch &batch, TriangleLanes &out) {
+  using Block = hal::TriangleBlock4;
+  const D16 d;
+  const hn::RebindToUnsigned<D16> du;
   const int axes[3] = {batch.kx, batch.ky, batch.kz};
-  const size_t first = quarter * hal::TriangleBlock4::kWidth;
-  for (size_t i = 0; i < hal::TriangleBlock4::kWidth; i += hn::Lanes(d)) {
+  for (size_t i = 0; i < kLanes; i += hn::Lanes(d)) {
     for (size_t k = 0; k < 3; ++k) {
       const auto origin = hn::Set(d, batch.common ? batch.origin[axes[k]][0] : 0.0f);
       for (size_t v = 0; v < 3; ++v) {
-        hn::Store(hn::Sub(hn::Load(d, block.vertices[v][axes[k]] + i), origin), d, out.corners[v][k] + first + i);
+        const auto values = [&](const Block &block) HWY_ATTR { return block.vertices[v][axes[k]]; };
+        hn::Store(hn::Sub(loadLanes(d, blocks, i, values), origin), d, out.corners[v][k] + i);
       }
     }
-    const auto primitive = hn::Load(du, block.primitive + i), none = hn::Set(du, hal::TriangleBlock4::kNone);
-    const auto number = hn::Add(primitive, hn::Set(du, geometry.base));
-    hn::Store(hn::IfThenElse(hn::Eq(primitive, none), none, number), du, out.primitive + first + i);
+    const auto primitive = loadLanes(du, blocks, i, [](const Block &block) HWY_ATTR { return block.primitive; });
+    const auto none = hn::Set(du, Block::kNone), number = hn::Add(primitive, hn::Set(du, geometry.base));
+    hn::Store(hn::IfThenElse(hn::Eq(primitive, none), none, number), du, out.primitive + i);
   }
 }
 
