@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The raycore authors
-"""One scene for raycore and for POV-Ray: pov_peer.py FOLDER writes scene.gltf and scene.pov.
+"""One scene for raycore and for POV-Ray: pov_peer.py FOLDER [balls|panes] writes scene.gltf and scene.pov.
 
-A ball of glass, one that mirrors and a plaster knot on a mirror floor, as meshes, before a grey background; one light
-with shadows. Then, no antialiasing, depth 14, and the same view:
+A plaster knot on a mirror floor, before a grey background; one light with shadows. Beside it a ball of glass and one that
+mirrors, or before it two panes of glass and behind it a mirror. All are meshes. Then, no antialiasing, depth 14, and the
+same view:
 
     raycore render scene.gltf -o ours.png --samples 1 --bounces 14 --background 0.3,0.35,0.4 \\
       --eye 0,2.2,5 --look-at 0,0.7,0 --fov 40          (RAYCORE_LOG=frame tells the time of tracing)
@@ -70,23 +71,59 @@ def knot(centre, size, thickness):
     return grid(400, 40, point)
 
 
-def floor(size):
+def quad(corner, right, up):
+    normal = unit(cross(right, up))
+
     def point(u, v):
-        return ((2 * v - 1) * size, 0, (2 * u - 1) * size), (0, 1, 0)
+        return tuple(c + v * r + u * h for c, r, h in zip(corner, right, up)), normal
 
     return grid(1, 1, point)
 
 
+def joined(*meshes):
+    vertices, normals, triangles = [], [], []
+    for more, directions, corners in meshes:
+        triangles += [tuple(len(vertices) + i for i in corner) for corner in corners]
+        vertices += more
+        normals += directions
+    return vertices, normals, triangles
+
+
+def box(lower, upper):
+    (x, y, z), (w, h, d) = lower, (b - a for a, b in zip(lower, upper))
+    right, up, front = (w, 0, 0), (0, h, 0), (0, 0, d)
+    left, down, back = (-w, 0, 0), (0, -h, 0), (0, 0, -d)
+    return joined(
+        quad((x, y, z + d), right, up),
+        quad((x + w, y, z), left, up),
+        quad((x + w, y, z + d), back, up),
+        quad((x, y, z), front, up),
+        quad((x, y + h, z + d), right, back),
+        quad((x, y, z), right, front),
+    )
+
+
 # mesh, colour, metal, glass
-THINGS = [
-    (floor(12), (0.5, 0.5, 0.5), 0.5, False),
-    (ball((-1.3, 0.72, 0.6), 0.7), (1, 1, 1), 0, True),
-    (ball((1.4, 0.82, -0.4), 0.8), (0.9, 0.9, 0.9), 1, False),
-    (knot((0, 1.1, -0.9), 0.9, 0.14), (0.9, 0.6, 0.4), 0, False),
-]
+FLOOR = (quad((-12, 0, 12), (24, 0, 0), (0, 0, -24)), (0.5, 0.5, 0.5), 0.5, False)
+KNOT = (knot((0, 1.1, -0.9), 0.9, 0.14), (0.9, 0.6, 0.4), 0, False)
+SCENES = {
+    "balls": [
+        FLOOR,
+        (ball((-1.3, 0.72, 0.6), 0.7), (1, 1, 1), 0, True),
+        (ball((1.4, 0.82, -0.4), 0.8), (0.9, 0.9, 0.9), 1, False),
+        KNOT,
+    ],
+    "panes": [
+        FLOOR,
+        (box((-1.5, 0.02, 0.6), (-0.1, 1.7, 0.7)), (1, 1, 1), 0, True),
+        (box((0.1, 0.02, 0.9), (1.3, 1.3, 1.0)), (1, 1, 1), 0, True),
+        (quad((-2.5, 0.05, -3), (5, 0, 0), (0, 2.6, 0)), (0.9, 0.9, 0.9), 1, False),
+        KNOT,
+    ],
+}
 
 
-def write_gltf(path):
+def write_gltf(path, things):
     binary, views, accessors, meshes, materials = bytearray(), [], [], [], []
 
     def add(payload, component, kind, count, limits=None):
@@ -97,7 +134,7 @@ def write_gltf(path):
         binary.extend(payload)
         return len(accessors) - 1
 
-    for (vertices, normals, triangles), colour, metal, glass in THINGS:
+    for (vertices, normals, triangles), colour, metal, glass in things:
         limits = {"min": [min(c) for c in zip(*vertices)], "max": [max(c) for c in zip(*vertices)]}
         positions = add(b"".join(struct.pack("<3f", *v) for v in vertices), 5126, "VEC3", len(vertices), limits)
         directions = add(b"".join(struct.pack("<3f", *n) for n in normals), 5126, "VEC3", len(vertices))
@@ -148,7 +185,7 @@ def vector(v):
     return "<" + ",".join(f"{c:.6g}" for c in v) + ">"
 
 
-def write_pov(path):
+def write_pov(path, things):
     # POV-Ray's x runs the other way round for one who looks along -z: mirrored by the sign of `right`.
     angle = 2 * math.degrees(math.atan(math.tan(math.radians(FOV / 2)) * ASPECT))
     with path.open("w") as out:
@@ -156,7 +193,7 @@ def write_pov(path):
         out.write(f"background {{ rgb {vector(BACKGROUND)} }}\n")
         out.write(f"camera {{ location {vector(EYE)} right -x*{ASPECT:.6f} up y angle {angle:.4f} look_at {vector(AT)} }}\n")
         out.write(f"light_source {{ {vector(LIGHT)} rgb 1 }}\n")
-        for (vertices, normals, triangles), colour, metal, glass in THINGS:
+        for (vertices, normals, triangles), colour, metal, glass in things:
             lists = [("vertex_vectors", vertices), ("normal_vectors", normals), ("face_indices", triangles)]
             out.write("mesh2 {\n")
             for name, values in lists:
@@ -170,12 +207,13 @@ def write_pov(path):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3) or sys.argv[-1] not in SCENES and len(sys.argv) == 3:
         sys.exit(__doc__)
+    things = SCENES[sys.argv[2] if len(sys.argv) == 3 else "balls"]
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    write_gltf(folder / "scene.gltf")
-    write_pov(folder / "scene.pov")
+    write_gltf(folder / "scene.gltf", things)
+    write_pov(folder / "scene.pov", things)
 
 
 main()

@@ -2,26 +2,14 @@
 // SPDX-FileCopyrightText: The raycore authors
 #include "rcddk/brightness.h"
 
+#include <vector>
+
 #include "rcddk/nearest.h"
 
 namespace rc::ddk {
 namespace {
 
 using namespace rc::hal;
-
-// The largest values of the materials; texels may take the place of ambient and diffuse.
-struct Surfaces {
-  float ambient = 1, diffuse = 1, specular = 0, emission = 0;
-
-  void add(std::span<const MaterialRow> rows) {
-    for (const MaterialRow &row : rows) {
-      ambient = std::max(ambient, maxComponent(row.ambient));
-      diffuse = std::max(diffuse, maxComponent(row.diffuse));
-      specular = std::max(specular, maxComponent(row.specular));
-      emission = std::max(emission, maxComponent(row.emission));
-    }
-  }
-};
 
 // What is left of a light where it is strongest, on the surface next to it.
 float mostThatArrives(const SceneView &scene, const LightRow &light) {
@@ -38,20 +26,40 @@ float mostThatArrives(const SceneView &scene, const LightRow &light) {
   return 1 / (light.constant + distance * (light.linear + distance * light.quadratic));
 }
 
+// What a surface sends out by itself, and of what lights bring. Texels may take the place of ambient and diffuse;
+// colours of vertices are at most 1.
+float ownLight(const SceneView &scene, const MaterialRow &row, std::span<const float> arriving) {
+  const float texel = row.texture == kNoTexture ? 0 : std::max(1.0f, maxComponent(row.textureEnvColor));
+  const float ambient = std::max(texel, maxComponent(row.ambient)),
+              diffuse = std::max(texel, maxComponent(row.diffuse));
+  float sum = maxComponent(row.emission) + ambient * maxComponent(scene.globalAmbient);
+  for (size_t i = 0; i < arriving.size(); ++i) {
+    const LightRow &light = scene.lights[i];
+    const float colour = ambient * maxComponent(light.ambient) + diffuse * maxComponent(light.diffuse) +
+                         maxComponent(row.specular) * maxComponent(light.specular);
+    if (colour > 0) sum += colour * arriving[i];
+  }
+  return sum;
+}
+
 }  // namespace
 
 float brightest(const SceneView &scene) {
-  Surfaces surfaces;
-  surfaces.add(scene.materials);
-  for (const GeometryView &geometry : scene.geometry) surfaces.add(geometry.captured);
-  float most = surfaces.emission + surfaces.ambient * maxComponent(scene.globalAmbient);
+  std::vector<float> arriving;
   for (const LightRow &light : scene.lights) {
-    const float onSurface = surfaces.ambient * maxComponent(light.ambient) +
-                            surfaces.diffuse * maxComponent(light.diffuse) +
-                            surfaces.specular * maxComponent(light.specular);
-    if (onSurface > 0) most += onSurface * mostThatArrives(scene, light);
+    const bool lit =
+        maxComponent(light.ambient) > 0 || maxComponent(light.diffuse) > 0 || maxComponent(light.specular) > 0;
+    arriving.push_back(lit ? mostThatArrives(scene, light) : 0);
   }
-  return std::max({1.0f, most, maxComponent(scene.clearColor), maxComponent(scene.fog.color)});
+  float most = std::max({1.0f, maxComponent(scene.clearColor), maxComponent(scene.fog.color)});
+  const auto add = [&](std::span<const MaterialRow> rows) {
+    for (const MaterialRow &row : rows) most = std::max(most, ownLight(scene, row, arriving));
+  };
+  add(scene.materials);
+  for (const GeometryView &geometry : scene.geometry) add(geometry.captured);
+  return most;
 }
+
+float ignorable(const SceneView &scene) { return 1.0f / 256 / brightest(scene); }
 
 }  // namespace rc::ddk

@@ -11,4 +11,7 @@ namespace rc::ddk {
 // No ray brings more light than this in any channel. Infinite where nothing bounds a light.
 float brightest(const hal::SceneView &scene);
 
+// SceneView::ignorable: a pixel may lack one step of a byte, since what lacks never adds light.
+float ignorable(const hal::SceneView &scene);
+
 }  // namespace rc::ddk

@@ -29,8 +29,7 @@ const hal::SceneView &Frame::view() {
   Bounds most;  // of what lights shine on, without the little that reaches far out
   for (const hal::GeometryView &geometry : mView.geometry) most.add(geometry.accel.core);
   for (hal::LightRow &light : mLights) light.sendsShadowRays = hal::sendsShadowRays(light, most);
-  // Half a step of a byte.
-  mView.ignorable = 0.5f / 256 / brightest(mView);
+  mView.ignorable = ignorable(mView);
   return mView;
 }
 

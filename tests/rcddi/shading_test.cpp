@@ -134,7 +134,7 @@ TEST_P(FewerRays, RaysThatAreLeftOutAreNotMissed) {
   view.minWeight = 0;
   view.ignorable = 0;
   const Picture all = render("cpu", 1, view);
-  view.ignorable = 0.5f / 256 / ddk::brightest(view);
+  view.ignorable = ddk::ignorable(view);
   const Picture fewer = render("cpu", 1, view);
   EXPECT_LE(largestDifference(all, fewer), 1);
   EXPECT_LE(fewer.counts.all(), all.counts.all());

@@ -74,7 +74,9 @@ class Brightness : public testing::Test {
   // A light over a floor, two units away.
   float withLight(float constant, float linear, float quadratic) {
     TestScene scene({triangle({-9, 0, 9}, {9, 0, 9}, {0, 0, -9})});
+    scene.materials = mMaterials;
     SceneView view = scene.update();
+    view.globalAmbient = Rgb(0);
     LightRow light;
     light.directional = false;
     light.position = {0, 2, 0};
@@ -86,6 +88,8 @@ class Brightness : public testing::Test {
     view.lights = {&light, 1};
     return ddk::brightest(view);
   }
+
+  std::vector<MaterialRow> mMaterials{{.ambient = Rgb(0), .diffuse = Rgb(1)}};
 };
 
 TEST_F(Brightness, OfALightThatDoesNotFade) { EXPECT_FLOAT_EQ(withLight(1, 0, 0), 8); }
@@ -96,6 +100,21 @@ TEST_F(Brightness, OfLightsThatFadeIsThatOfTheNearestPlace) {
   EXPECT_NEAR(withLight(1, 0.5f, 0.25f), 8 / 3.0f, 0.01f);
 }
 TEST_F(Brightness, IsNotLessThanTheRoundedDistanceAllows) { EXPECT_GE(withLight(0, 0, 1), 8 / 4.0f); }
+TEST_F(Brightness, IsThatOfTheBrightestMaterial) {
+  mMaterials = {{.diffuse = Rgb(0.5f)}, {.diffuse = Rgb(0.25f), .emission = Rgb(1)}};
+  EXPECT_FLOAT_EQ(withLight(1, 0, 0), 0.5f * 8);
+  mMaterials[1].emission = Rgb(3);
+  EXPECT_FLOAT_EQ(withLight(1, 0, 0), 0.25f * 8 + 3);
+}
+TEST_F(Brightness, TexelsMayBeBrighterThanTheirMaterial) {
+  mMaterials = {{.diffuse = Rgb(0.5f), .texture = 0}};
+  EXPECT_FLOAT_EQ(withLight(1, 0, 0), 8);
+}
+TEST_F(Brightness, OfMirrorsThatNobodySeesIsThatOfTheBackground) {
+  mMaterials = {};
+  EXPECT_FLOAT_EQ(withLight(1, 0, 0), 1);
+}
+
 TEST_F(Brightness, NothingBoundsLightsThatGrow) { EXPECT_EQ(withLight(1, -1, 0), kInfinity); }
 
 }  // namespace

@@ -47,7 +47,7 @@ RayCounts countsOf(float reflection, float transmittance, const char *device) {
   SceneView view = scene.update();
   view.camera = {.eye = {0.1f, 0.2f, 0.9f}, .columns = kSide, .rows = kSide};
   view.maxBounces = kMostBounces;
-  view.ignorable = 0.5f / 256 / ddk::brightest(view);
+  view.ignorable = ddk::ignorable(view);
   std::vector<uint32_t> pixels(size_t(kSide) * kSide);
   return createDevice(device, 1)->trace(view, {pixels.data(), kSide, kSide});
 }

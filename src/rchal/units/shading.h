@@ -11,6 +11,7 @@
 #include "rchal/units/footprint.h"
 #include "rchal/units/lighting.h"
 #include "rchal/units/shadow_ray.h"
+#include "rchal/units/tolerance.h"
 
 namespace rc::hal {
 
@@ -22,13 +23,6 @@ struct Outputs {
   RayCounts &counts;
   int bounces;  // of the rays whose hits these are: how often they were reflected or refracted
 };
-
-// What rays may be left out for (RayItem::tolerance) is shared among the rays that may leave a hit: all that are left
-// out behind it weigh no more than it may lack.
-inline int secondaryKinds(const MaterialRow &material, bool last) {
-  return last ? 0 : (maxComponent(material.reflection) > 0) + (maxComponent(material.transmittance) > 0);
-}
-inline float shareOf(int rays) { return rays > 1 ? 1 / static_cast<float>(rays) : 1; }
 
 // Where every hit of a ray makes two or three, their number grows as a power of the hits on the way: bounces, and
 // layers that were there in part. The parts of what may be left out shrink as fast. After so many hits only rays count
@@ -58,9 +52,11 @@ class Shader {
     mCoverage = coverage(mTriangle->flags, mPoint.front, mCoverage);
     mSeenBefore = item.afterSeen && isSameSurface(scene, item.after, hit);
     if (mSeenBefore) mCoverage = 0;
-    const bool last = out.bounces >= scene.maxBounces;
-    mTolerance = item.tolerance;
-    if (mCoverage > 0) mTolerance *= shareOf(secondaryKinds(*mMaterial, last) + (mCoverage < 1));
+    if (mCoverage <= 0) {
+      mStraightShare = 1;
+    } else if (mCoverage < 1) {
+      mStraightShare = straightShare(secondaryKinds(*mMaterial, out.bounces >= scene.maxBounces));
+    }
     if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal();
   }
 
@@ -166,30 +162,30 @@ class Shader {
     next.after = {mHit.t, mHit.primitive};
     next.afterSeen = mCoverage > 0 || mSeenBefore;  // more than two triangles may meet where the ray passes
     next.weight = mItem.weight * (1 - mCoverage);
-    next.tolerance = mTolerance;
+    next.tolerance = mItem.tolerance * mStraightShare;
     next.layers += mCoverage > 0;
-    if (mCoverage > 0 && !counts(next.weight, next.layers)) return;
+    if (mCoverage > 0 && !counts(next.weight, next.tolerance, next.layers)) return;
     mOut.sameBounce.push(next);
     ++mOut.counts.straight;
   }
 
   // Whether a ray of this weight, behind so many layers, is worth tracing.
-  bool counts(const Rgb &weight, uint32_t layers) const {
+  bool counts(const Rgb &weight, float tolerance, uint32_t layers) const {
     const float strongest = maxComponent(weight);
-    return strongest > mTolerance && strongest >= leastWeight(mScene, mOut.bounces + static_cast<int>(layers));
+    return strongest > std::min(tolerance, mostLeftOut(mScene)) &&
+           strongest >= leastWeight(mScene, mOut.bounces + static_cast<int>(layers));
   }
-  bool counts(const Rgb &weight) const { return counts(weight, mItem.layers); }
 
   float curvatureHere() const { return curvature(*mTriangle, *mAttributes, mPoint.flatNormal); }
 
-  void reflect(const Rgb &weight) {
-    if (!counts(weight)) return;
+  void reflect(const Rgb &weight, float tolerance) {
+    if (!counts(weight, tolerance, mItem.layers)) return;
     const Vec3 d = mItem.ray.direction;
     Vec3 mirrored = d - 2 * glm::dot(d, mPoint.normal) * mPoint.normal;
     // An interpolated normal can send the ray into the surface: it is then led along it.
     const float height = glm::dot(mirrored, mPoint.flatNormal);
     if (height <= 0) mirrored += (1e-3f - height) * mPoint.flatNormal;
-    bounce(weight, mirrored, reflectedSpread(mConeSpread, mConeWidth, curvatureHere()));
+    bounce(weight, tolerance, mirrored, reflectedSpread(mConeSpread, mConeWidth, curvatureHere()));
     ++mOut.counts.reflected;
   }
 
@@ -199,22 +195,25 @@ class Shader {
     const float eta = mPoint.front ? 1 / mMaterial->refractionIndex : mMaterial->refractionIndex;
     const float cosine = -glm::dot(mItem.ray.direction, mPoint.normal);
     const float k = 1 - eta * eta * (1 - cosine * cosine);
-    if (k < 0) return reflect(reflected + refracted);
-    reflect(reflected);
-    if (!counts(refracted)) return;
+    const float tolerance = mItem.tolerance * (1 - mStraightShare);
+    if (k < 0) return reflect(reflected + refracted, tolerance);
+    const TwoShares shares = sharesOf(*mMaterial);
+    reflect(reflected, besides(tolerance, maxComponent(refracted), shares.refracted));
+    const float left = besides(tolerance, maxComponent(reflected), shares.reflected);
+    if (!counts(refracted, left, mItem.layers)) return;
     Vec3 bent = eta * mItem.ray.direction + (eta * cosine - std::sqrt(k)) * mPoint.normal;
     const float depth = glm::dot(bent, mPoint.flatNormal);
     if (depth >= 0) bent -= (depth + 1e-3f) * mPoint.flatNormal;
-    bounce(refracted, bent, refractedSpread(mConeSpread, mConeWidth, curvatureHere(), eta));
+    bounce(refracted, left, bent, refractedSpread(mConeSpread, mConeWidth, curvatureHere(), eta));
     ++mOut.counts.refracted;
   }
 
-  void bounce(const Rgb &weight, const Vec3 &direction, float coneSpread) {
+  void bounce(const Rgb &weight, float tolerance, const Vec3 &direction, float coneSpread) {
     RayItem next = mItem;
     next.ray.direction = directionOf(direction, mPoint.flatNormal);
     next.ray.origin = mPoint.start(next.ray.direction);
     next.weight = weight;
-    next.tolerance = mTolerance;
+    next.tolerance = tolerance;
     next.after = {};
     next.afterSeen = false;
     next.coneWidth = mConeWidth;
@@ -235,8 +234,8 @@ class Shader {
   SurfacePoint mPoint;
   Rgb mTexel{0};
   float mTexelAlpha = 1;
-  float mCoverage = 1;  // share of the surface that is there
-  float mTolerance;     // of each ray that leaves
+  float mCoverage = 1;       // share of the surface that is there
+  float mStraightShare = 0;  // of what may be left out: for what goes straight on
   bool mTextured = false;
   bool mSeenBefore;  // as another triangle of the same surface
 };

@@ -47,8 +47,8 @@ HWY_INLINE M worthTracing(const Shading &shading, const V3 &weight, F tolerance,
   const M free = hn::RebindMask(FTag(), hn::Lt(hits, hn::Set(UTag(), uint32_t{hal::kFreeHits})));
   const F least =
       select(free, all(hal::leastWeight(shading.scene, 0)), all(hal::leastWeight(shading.scene, hal::kFreeHits)));
-  const F strongest = maxComponent(weight);
-  return hn::And(asked, hn::And(hn::Gt(strongest, tolerance), hn::Ge(strongest, least)));
+  const F strongest = maxComponent(weight), leftOut = hn::Min(tolerance, all(hal::mostLeftOut(shading.scene)));
+  return hn::And(asked, hn::And(hn::Gt(strongest, leftOut), hn::Ge(strongest, least)));
 }
 
 // The same rays, for what lies behind these hits. weight: what is left for them; there: lanes that hit something that
@@ -68,17 +68,16 @@ RC_STEP void goStraightOn(const Shading &shading, const RayLanes &rays, const V3
 
 class Secondary {
  public:
-  HWY_INLINE Secondary(const Shading &shading, const RayLanes &rays, const SurfaceLanes &surface, F tolerance, M asked)
+  HWY_INLINE Secondary(const Shading &shading, const RayLanes &rays, const SurfaceLanes &surface, M asked)
       : mShading(shading),
         mRays(rays),
         mSurface(surface),
-        mTolerance(tolerance),
         mLayers(load(shading.rays.layers, rays.first)),
         mTravelled(hn::Add(load(shading.rays.travelled, rays.first), rays.t)),
         mCurvature(shading.cones ? curvature(surface, asked) : zero()) {}
 
-  RC_STEP void reflect(const V3 &weight, M asked) const {
-    const M traced = worthTracing(mShading, weight, mTolerance, mLayers, asked);
+  RC_STEP void reflect(const V3 &weight, F tolerance, M asked) const {
+    const M traced = worthTracing(mShading, weight, tolerance, mLayers, asked);
     if (none(traced)) return;
     const V3 &d = mRays.direction;
     V3 mirrored = d - hn::Mul(all(2), dot(d, mSurface.normal)) * mSurface.normal;
@@ -86,50 +85,58 @@ class Secondary {
     const V3 led = mirrored + hn::Sub(all(1e-3f), height) * mSurface.flatNormal;
     mirrored = select(hn::Le(height, zero()), led, mirrored);
     const F turn = hn::Mul(hn::Mul(all(2), mCurvature), mRays.coneWidth);
-    mShading.out.counts.reflected += bounce(weight, mirrored, hn::Add(mRays.coneSpread, turn), traced);
+    mShading.out.counts.reflected += bounce(weight, tolerance, mirrored, hn::Add(mRays.coneSpread, turn), traced);
   }
 
   // eta: index before / index behind; root: the square root of Snell's law.
-  RC_STEP void refract(const V3 &weight, F eta, F cosine, F root, M asked) const {
-    const M traced = worthTracing(mShading, weight, mTolerance, mLayers, asked);
+  RC_STEP void refract(const V3 &weight, F tolerance, F eta, F cosine, F root, M asked) const {
+    const M traced = worthTracing(mShading, weight, tolerance, mLayers, asked);
     if (none(traced)) return;
     V3 bent = eta * mRays.direction + hn::Sub(hn::Mul(eta, cosine), root) * mSurface.normal;
     const F depth = dot(bent, mSurface.flatNormal);
     const V3 led = bent - hn::Add(depth, all(1e-3f)) * mSurface.flatNormal;
     bent = select(hn::Ge(depth, zero()), led, bent);
     const F turn = hn::Mul(hn::Mul(hn::Sub(eta, all(1)), mCurvature), mRays.coneWidth);
-    mShading.out.counts.refracted += bounce(weight, bent, hn::Add(hn::Mul(eta, mRays.coneSpread), turn), traced);
+    mShading.out.counts.refracted +=
+        bounce(weight, tolerance, bent, hn::Add(hn::Mul(eta, mRays.coneSpread), turn), traced);
   }
 
  private:
-  HWY_INLINE size_t bounce(const V3 &weight, const V3 &direction, F coneSpread, M traced) const {
+  HWY_INLINE size_t bounce(const V3 &weight, F tolerance, const V3 &direction, F coneSpread, M traced) const {
     const V3 unit = directionOf(direction, mSurface.flatNormal);
-    return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, mTolerance, mLayers,
+    return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, tolerance, mLayers,
                     mRays.pixel, afterNone(), traced, mShading.out.nextBounce);
   }
 
   const Shading &mShading;
   const RayLanes &mRays;
   const SurfaceLanes &mSurface;
-  F mTolerance;
   U mLayers;
   F mTravelled, mCurvature;
 };
 
+// units/tolerance.h
+HWY_INLINE F besides(F tolerance, const V3 &otherWeight, float otherShare) {
+  return hn::Sub(tolerance, hn::Min(maxComponent(otherWeight), hn::Mul(all(otherShare), tolerance)));
+}
+
 // weight: of what arrives at the surface.
 RC_STEP void reflectAndRefract(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
                                const SurfaceLanes &surface, const V3 &weight, F tolerance, M shaded) {
-  const Secondary secondary(shading, rays, surface, tolerance, shaded);
+  const Secondary secondary(shading, rays, surface, shaded);
   const V3 reflected = weight * all(material.reflection);
-  if (rc::maxComponent(material.transmittance) <= 0) return secondary.reflect(reflected, shaded);
+  if (rc::maxComponent(material.transmittance) <= 0) return secondary.reflect(reflected, tolerance, shaded);
   const V3 refracted = weight * all(material.transmittance);
   const F eta = select(surface.front, all(1 / material.refractionIndex), all(material.refractionIndex));
   const F cosine = hn::Neg(dot(rays.direction, surface.normal));
   const F sine2 = hn::Sub(all(1), hn::Mul(cosine, cosine));
   const F k = hn::Sub(all(1), hn::Mul(hn::Mul(eta, eta), sine2));
   const M total = hn::Lt(k, zero());
-  secondary.reflect(select(total, reflected + refracted, reflected), shaded);
-  secondary.refract(refracted, eta, cosine, hn::Sqrt(hn::Max(k, zero())), hn::AndNot(total, shaded));
+  const hal::TwoShares shares = hal::sharesOf(material);
+  const F ofReflected = select(total, tolerance, besides(tolerance, refracted, shares.refracted));
+  secondary.reflect(select(total, reflected + refracted, reflected), ofReflected, shaded);
+  secondary.refract(refracted, besides(tolerance, reflected, shares.reflected), eta, cosine,
+                    hn::Sqrt(hn::Max(k, zero())), hn::AndNot(total, shaded));
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

@@ -144,15 +144,15 @@ RC_STEP void shadeKind(const Shading &shading, const Kind &kind, const RayLanes 
     surface.normal = select(kind.lanes, bentNormals(shading, kind, rays, surface), surface.normal);
 
   const M missing = hn::And(kind.lanes, hn::Lt(there, all(1)));
-  F tolerance = hn::Mul(load(shading.rays.tolerance, rays.first), all(hal::shareOf(kind.secondary)));
+  F tolerance = load(shading.rays.tolerance, rays.first);
   V3 weight = rays.weight;
   M shaded = kind.lanes;
   if (!none(missing)) {
     const M some = hn::Gt(there, zero());
-    const F share =
-        select(missing, select(some, all(hal::shareOf(kind.secondary + 1)), all(1)), all(hal::shareOf(kind.secondary)));
-    tolerance = hn::Mul(load(shading.rays.tolerance, rays.first), share);
-    goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, tolerance, some, hn::Or(some, before), missing);
+    const F share = onlyWhere(missing, select(some, all(hal::straightShare(kind.secondary)), all(1)));
+    goStraightOn(shading, rays, hn::Sub(all(1), there) * rays.weight, hn::Mul(tolerance, share), some,
+                 hn::Or(some, before), missing);
+    tolerance = hn::Mul(tolerance, hn::Sub(all(1), share));
     weight = there * rays.weight;
     shaded = hn::And(kind.lanes, hn::Gt(maxComponent(weight), zero()));
     if (none(shaded)) return;
