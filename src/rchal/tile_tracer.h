@@ -88,7 +88,7 @@ class TileTracer {
   void traceTile(const SceneView &scene, const Tile &tile, const Target &target) {
     mPixels.arrange(tile.columns, tile.rows);
     prefetch(tile, target);
-    mQueues.resize(std::max(mQueues.size(), size_t(scene.maxBounces) + 2));
+    mQueues.resize(std::max(mQueues.size(), kKinds * (size_t(scene.maxBounces) + 2)));
     mShadows.resize(std::max(mShadows.size(), scene.lights.size()));
     if (scene.samples == 1) {
       traceSample(scene, tile, mPixels, {});
@@ -140,7 +140,7 @@ class TileTracer {
     mSum.clear(pixels.size());
     timed(scene, &UnitTimes::generate, [&] { mUnits.generate(scene, tile, pixels, sample, mPrimary); });
     mCounts.primary += pixels.size();
-    traceRays(scene, 0, mPrimary, mQueues[0], mQueues[1]);
+    traceRays(scene, 0, mPrimary);
     traceGenerations(scene);
   }
 
@@ -163,14 +163,14 @@ class TileTracer {
 
   void traceGenerations(const SceneView &scene) {
     for (;;) {
-      const size_t bounces = nextGeneration();
-      if (bounces == mQueues.size()) return;
-      traceBatch(scene, int(bounces), mQueues[bounces], mQueues[bounces + 1]);
+      const size_t queue = nextQueue();
+      if (queue == mQueues.size()) return;
+      traceBatch(scene, queue);
     }
   }
 
   // The deepest queue with rays for a batch; else the shallowest one with any, so that deeper ones fill.
-  size_t nextGeneration() const {
+  size_t nextQueue() const {
     for (size_t deepest = mQueues.size(); deepest-- > 0;) {
       if (mQueues[deepest].size() >= mBatch) return deepest;
     }
@@ -180,18 +180,21 @@ class TileTracer {
   }
 
   // Takes the last rays off the queue.
-  void traceBatch(const SceneView &scene, int bounces, RayQueue &queue, RayQueue &next) {
-    queue.takeLast(std::min(queue.size(), mBatch), mRays);
-    traceRays(scene, bounces, mRays, queue, next);
+  void traceBatch(const SceneView &scene, size_t queue) {
+    mQueues[queue].takeLast(std::min(mQueues[queue].size(), mBatch), mRays);
+    traceRays(scene, queue, mRays);
   }
 
-  // same: the queue of rays that went straight on.
-  void traceRays(const SceneView &scene, int bounces, RayQueue &rays, RayQueue &same, RayQueue &next) {
+  // queue: that the rays came from; those that go straight on go there again.
+  void traceRays(const SceneView &scene, size_t queue, RayQueue &rays) {
+    const size_t bounces = queue / kKinds;
+    RayQueue *const next = &mQueues[kKinds * (bounces + 1)];
     mHits.resize(rays.size());
     timed(scene, bounces == 0 ? &UnitTimes::primary : &UnitTimes::secondary,
           [&] { mUnits.closestHits(scene, rays, &rays == &mPrimary, mHits); });
     timed(scene, &UnitTimes::shade, [&] {
-      mUnits.shade(scene, rays, mHits, {mSum.view(), mShadows, same, next, mCounts, bounces});
+      mUnits.shade(scene, rays, mHits,
+                   {mSum.view(), mShadows, mQueues[queue], next[0], next[1], mCounts, int(bounces)});
     });
     for (size_t light = 0; light < scene.lights.size(); ++light) {
       if (mShadows[light].size() == 0) continue;
@@ -202,11 +205,14 @@ class TileTracer {
 
   size_t mBatch;
   Units mUnits;
-  TilePixels mPixels;             // all of the tile
-  PixelChoice mChoice;            // of several samples: those of them that get all
-  std::vector<RayQueue> mQueues;  // by number of bounces
-  RayQueue mPrimary;              // of the last tile
-  RayQueue mRays;                 // the batch of others in hand
+  TilePixels mPixels;   // all of the tile
+  PixelChoice mChoice;  // of several samples: those of them that get all
+  // By number of bounces, of each those that were reflected last and those that were refracted last: they go other
+  // ways, and a batch of both would have little in common.
+  static constexpr size_t kKinds = 2;
+  std::vector<RayQueue> mQueues;
+  RayQueue mPrimary;  // of the last tile
+  RayQueue mRays;     // the batch of others in hand
   HitQueue mHits;
   std::vector<ShadowQueue> mShadows;  // by light
   Sums mSum, mPicture;

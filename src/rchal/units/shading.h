@@ -17,9 +17,9 @@ namespace rc::hal {
 
 struct Outputs {
   PixelSums sums;
-  std::span<ShadowQueue> shadows;  // by light
-  RayQueue &sameBounce;            // rays that go straight on
-  RayQueue &nextBounce;            // reflected and refracted rays
+  std::span<ShadowQueue> shadows;   // by light
+  RayQueue &sameBounce;             // rays that go straight on
+  RayQueue &reflected, &refracted;  // rays of the next generation
   RayCounts &counts;
   int bounces;  // of the rays whose hits these are: how often they were reflected or refracted
 };
@@ -185,7 +185,7 @@ class Shader {
     // An interpolated normal can send the ray into the surface: it is then led along it.
     const float height = glm::dot(mirrored, mPoint.flatNormal);
     if (height <= 0) mirrored += (1e-3f - height) * mPoint.flatNormal;
-    bounce(weight, tolerance, mirrored, reflectedSpread(mConeSpread, mConeWidth, curvatureHere()));
+    bounce(weight, tolerance, mirrored, reflectedSpread(mConeSpread, mConeWidth, curvatureHere()), mOut.reflected);
     ++mOut.counts.reflected;
   }
 
@@ -204,11 +204,11 @@ class Shader {
     Vec3 bent = eta * mItem.ray.direction + (eta * cosine - std::sqrt(k)) * mPoint.normal;
     const float depth = glm::dot(bent, mPoint.flatNormal);
     if (depth >= 0) bent -= (depth + 1e-3f) * mPoint.flatNormal;
-    bounce(refracted, left, bent, refractedSpread(mConeSpread, mConeWidth, curvatureHere(), eta));
+    bounce(refracted, left, bent, refractedSpread(mConeSpread, mConeWidth, curvatureHere(), eta), mOut.refracted);
     ++mOut.counts.refracted;
   }
 
-  void bounce(const Rgb &weight, float tolerance, const Vec3 &direction, float coneSpread) {
+  void bounce(const Rgb &weight, float tolerance, const Vec3 &direction, float coneSpread, RayQueue &queue) {
     RayItem next = mItem;
     next.ray.direction = directionOf(direction, mPoint.flatNormal);
     next.ray.origin = mPoint.start(next.ray.direction);
@@ -219,7 +219,7 @@ class Shader {
     next.coneWidth = mConeWidth;
     next.coneSpread = coneSpread;
     next.travelled += mHit.t;
-    mOut.nextBounce.push(next);
+    queue.push(next);
   }
 
   const SceneView &mScene;

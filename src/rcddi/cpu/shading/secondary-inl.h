@@ -85,7 +85,8 @@ class Secondary {
     const V3 led = mirrored + hn::Sub(all(1e-3f), height) * mSurface.flatNormal;
     mirrored = select(hn::Le(height, zero()), led, mirrored);
     const F turn = hn::Mul(hn::Mul(all(2), mCurvature), mRays.coneWidth);
-    mShading.out.counts.reflected += bounce(weight, tolerance, mirrored, hn::Add(mRays.coneSpread, turn), traced);
+    mShading.out.counts.reflected +=
+        bounce(weight, tolerance, mirrored, hn::Add(mRays.coneSpread, turn), traced, mShading.out.reflected);
   }
 
   // eta: index before / index behind; root: the square root of Snell's law.
@@ -98,14 +99,15 @@ class Secondary {
     bent = select(hn::Ge(depth, zero()), led, bent);
     const F turn = hn::Mul(hn::Mul(hn::Sub(eta, all(1)), mCurvature), mRays.coneWidth);
     mShading.out.counts.refracted +=
-        bounce(weight, tolerance, bent, hn::Add(hn::Mul(eta, mRays.coneSpread), turn), traced);
+        bounce(weight, tolerance, bent, hn::Add(hn::Mul(eta, mRays.coneSpread), turn), traced, mShading.out.refracted);
   }
 
  private:
-  HWY_INLINE size_t bounce(const V3 &weight, F tolerance, const V3 &direction, F coneSpread, M traced) const {
+  HWY_INLINE size_t bounce(const V3 &weight, F tolerance, const V3 &direction, F coneSpread, M traced,
+                           hal::RayQueue &queue) const {
     const V3 unit = directionOf(direction, mSurface.flatNormal);
     return pushRays(start(mSurface, unit), unit, weight, mRays.coneWidth, coneSpread, mTravelled, tolerance, mLayers,
-                    mRays.pixel, afterNone(), traced, mShading.out.nextBounce);
+                    mRays.pixel, afterNone(), traced, queue);
   }
 
   const Shading &mShading;

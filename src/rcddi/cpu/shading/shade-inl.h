@@ -188,7 +188,8 @@ RC_STEP void shadeVector(const Shading &shading, size_t first) {
 HWY_INLINE void makeRoom(const Shading &shading) {
   const size_t count = shading.rays.size();
   const hal::Outputs &out = shading.out;
-  out.nextBounce.reserve(out.nextBounce.size() + 2 * count);
+  out.reflected.reserve(out.reflected.size() + count);
+  out.refracted.reserve(out.refracted.size() + count);
   out.sameBounce.reserve(out.sameBounce.size() + count);
   for (size_t i = 0; i < shading.scene.lights.size(); ++i) out.shadows[i].reserve(out.shadows[i].size() + count);
 }
