@@ -92,7 +92,7 @@ def joined(*meshes):
 def box(lower, upper):
     (x, y, z), (w, h, d) = lower, (b - a for a, b in zip(lower, upper))
     right, up, front = (w, 0, 0), (0, h, 0), (0, 0, d)
-    left, down, back = (-w, 0, 0), (0, -h, 0), (0, 0, -d)
+    left, back = (-w, 0, 0), (0, 0, -d)
     return joined(
         quad((x, y, z + d), right, up),
         quad((x + w, y, z), left, up),

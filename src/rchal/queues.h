@@ -40,7 +40,7 @@ struct RayItem {
   float coneWidth = 0;     // diameter of the footprint at the origin, world units
   float coneSpread = 0;    // growth of it for each unit of distance; below 0 it narrows to a focus
   float travelled = 0;     // way from the eye to the origin, or from its plane
-  float tolerance = 0;     // rays from its hit may be left out if they count for less
+  float tolerance = 0;     // what all rays that are left out behind its hit may weigh: units/tolerance.h
   uint32_t pixel = 0;      // within the tile
 };
 

@@ -194,7 +194,7 @@ struct SceneView {
   int samples = 1;        // a pixel
   bool adaptive = false;  // several samples only where the corners of a pixel differ
   float minWeight = 0;    // secondary rays whose weight is below are dropped
-  float ignorable = 0;    // rays of a pixel that together weigh no more are dropped: nobody can see it
+  float ignorable = 0;    // rays of a pixel that together weigh no more are left out: at most a step of a byte
   bool measure = false;   // RayCounts::times are wanted
   bool shadows = true;
   bool mipmaps = true;

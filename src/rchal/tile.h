@@ -44,6 +44,8 @@ class TilePixels {
     mColumns = -1;
   }
   size_t size() const { return column.size(); }
+  int columns() const { return mColumns; }  // below 0: they are some of a tile's
+  int rows() const { return mRows; }
   bool areWholeBlocks() const { return mColumns > 0 && mColumns % kBlock == 0 && mRows % kBlock == 0; }
   // The place of a pixel in the order of a whole tile.
   size_t placeOf(int x, int y) const {

@@ -5,10 +5,10 @@
 //   ray generation -> traversal & intersection -> hit point and shading -> shadow rays -> next generation
 // In: SceneView, a tile.  Out: pixels of the Target.
 //
-// There is no recursion: the primary rays of a tile are traced at once, all others wait in one queue for each number of
-// bounces. The deepest queue with rays for a batch is served first, which bounds what is waiting: less than three
-// batches, or tiles, for each bounce.
-// Colours are summed in an order that depends on the tile alone, so the threads do not change the picture.
+// There is no recursion: the primary rays of a tile are traced at once, all others wait in two queues for each number
+// of bounces. The deepest queue with rays for a batch is served first, which bounds what is waiting: less than two
+// batches, or tiles, in each. Colours are summed in an order that depends on the tile alone, so the threads do not
+// change the picture.
 #pragma once
 
 #include <vector>

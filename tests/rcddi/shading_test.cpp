@@ -114,6 +114,19 @@ TEST(Pixels, OfTilesOfAnySizeAreWhereTheyBelong) {
   }
 }
 
+// The corners of a tile whose sides are one less than a multiple of a block come in whole blocks, its pixels do not.
+TEST(Pixels, OfWhichTheCornersComeInWholeBlocks) {
+  const RandomScene scene(20);
+  SceneView view = scene.view();
+  view.samples = 4;
+  view.adaptive = true;
+  for (const PixelRect &part : {PixelRect{0, 0, 39, 27}, PixelRect{2, 3, 7, 11}, PixelRect{1, 0, 3, 3}}) {
+    view.scissor = part;
+    const Picture truth = render("ref", 1, view);
+    onEachTarget([&] { EXPECT_LE(largestDifference(render("cpu", 1, view), truth), 1); });
+  }
+}
+
 // The same choice of pixels on every device, and hardly another picture than with all samples everywhere.
 TEST_P(FewerRays, AdaptiveSamplesAreWhereTheyAreSeen) {
   const RandomScene scene(GetParam());

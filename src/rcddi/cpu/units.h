@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // units.h: how the cpu device does the work of the units for a tile: queues to streams of rays, and to vectors of hits.
-// In: queues.  Out: queues, sums.  Next: rcddi/cpu/trace.h, rcddi/cpu/shade.h
+// In: queues.  Out: queues, sums, the picture.  Next: rcddi/cpu/trace.h, rcddi/cpu/shade.h
 #pragma once
 
 #include <algorithm>

@@ -48,15 +48,15 @@ class BlockWindow {
   static constexpr int kBlock = hal::TilePixels::kBlock, kMost = 64;
   static_assert(kBlock == 4);  // floats in 128 bits
 
-  static bool holds(const hal::Tile &tile, const hal::TilePixels &pixels) {
-    return pixels.areWholeBlocks() && std::max(tile.columns, tile.rows) <= kMost;
+  static bool holds(const hal::TilePixels &pixels) {
+    return pixels.areWholeBlocks() && std::max(pixels.columns(), pixels.rows()) <= kMost;
   }
-  BlockWindow(const Window &window, const hal::Tile &tile) {
+  BlockWindow(const Window &window, const hal::TilePixels &pixels) {
     const ITag di;
     const auto from = [&](int i) HWY_ATTR { return hn::BitCast(di, countFrom(UTag(), static_cast<uint32_t>(i))); };
     const int step = static_cast<int>(lanes());
-    for (int i = 0; i < tile.columns; i += step) hn::StoreU(window.x(from(i)), FTag(), mX + i);
-    for (int i = 0; i < kBlock * tile.rows; i += step) {
+    for (int i = 0; i < pixels.columns(); i += step) hn::StoreU(window.x(from(i)), FTag(), mX + i);
+    for (int i = 0; i < kBlock * pixels.rows(); i += step) {
       hn::StoreU(window.y(hn::ShiftRight<2>(from(i))), FTag(), mY + i);
     }
   }
@@ -115,8 +115,8 @@ HWY_INLINE void generateRays(const hal::SceneView &scene, const hal::Tile &tile,
   if (before < rays.size()) fillCommonColumns(one, scene.ignorable, before, rays);
   const int32_t *const columns = pixels.column.data(), *const rows = pixels.row.data();
   const Window window(scene.camera, tile, sample);
-  if (BlockWindow::holds(tile, pixels)) {
-    const BlockWindow blocks(window, tile);
+  if (BlockWindow::holds(pixels)) {
+    const BlockWindow blocks(window, pixels);
     generateRays(
         scene.camera, one, [&](size_t i) HWY_ATTR { return blocks.x(columns[i]); },
         [&](size_t i) HWY_ATTR { return blocks.y(rows[i]); }, rays);
