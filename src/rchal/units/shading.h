@@ -24,15 +24,6 @@ struct Outputs {
   int bounces;  // of the rays whose hits these are: how often they were reflected or refracted
 };
 
-// Where every hit of a ray makes two or three, their number grows as a power of the hits on the way: bounces, and
-// layers that were there in part. The parts of what may be left out shrink as fast. After so many hits only rays count
-// that weigh enough: 4096 of them share what a pixel shows, not 2^31.
-inline constexpr int kFreeHits = 12;
-inline constexpr float kLeastAfterwards = 1.0f / 4096;
-inline float leastWeight(const SceneView &scene, int hits) {
-  return hits < kFreeHits ? scene.minWeight : std::max(scene.minWeight, kLeastAfterwards);
-}
-
 class Shader {
  public:
   Shader(const SceneView &scene, const RayItem &item, const Hit &hit, const Outputs &out)

@@ -41,4 +41,13 @@ inline float besides(float tolerance, float otherWeight, float otherShare) {
 // The most that a ray may weigh which is left out by itself: half a step of a byte.
 inline float mostLeftOut(const SceneView &scene) { return 0.5f * scene.ignorable; }
 
+// Where every hit of a ray makes two or three, their number grows as a power of the hits on the way: bounces, and
+// layers that were there in part. The parts of what may be left out shrink as fast. After so many hits only rays count
+// that weigh enough: 4096 of them share what a pixel shows, not 2^31.
+inline constexpr int kFreeHits = 12;
+inline constexpr float kLeastAfterwards = 1.0f / 4096;
+inline float leastWeight(const SceneView &scene, int hits) {
+  return hits < kFreeHits ? scene.minWeight : std::max(scene.minWeight, kLeastAfterwards);
+}
+
 }  // namespace rc::hal
