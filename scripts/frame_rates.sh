@@ -7,6 +7,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build/release}
+[ -x "$build/examples/09_4_cornell_box" ] ||
+  { echo "frame_rates.sh: $build/examples holds no programs: build them, or name the build they are in" >&2; exit 1; }
 
 milliseconds() {  # program: a line for each frame
   env -u DISPLAY RAYCORE_FRAMES=100 RAYCORE_LOG=frame "$1" 2>&1 >/dev/null |
