@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rcddk/nearest.h"
+#include "rchal/units/tolerance.h"
 
 namespace rc::ddk {
 namespace {
@@ -60,6 +61,6 @@ float brightest(const SceneView &scene) {
   return most;
 }
 
-float ignorable(const SceneView &scene) { return 1.0f / 256 / brightest(scene); }
+float ignorable(const SceneView &scene) { return kStep / brightest(scene); }
 
 }  // namespace rc::ddk

@@ -11,7 +11,7 @@ namespace rc::ddk {
 // No ray brings more light than this in any channel. Infinite where nothing bounds a light.
 float brightest(const hal::SceneView &scene);
 
-// SceneView::ignorable: a pixel may lack one step of a byte, since what lacks never adds light.
+// SceneView::ignorable: a pixel may be off by one step of a byte.
 float ignorable(const hal::SceneView &scene);
 
 }  // namespace rc::ddk

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/meshes.h"
+#include "rchal/units/tolerance.h"
 
 namespace rc::test {
 namespace {
@@ -25,13 +26,13 @@ class Frame : public testing::Test {
   }
 
   // The colour of the ray along -z, in 1/256.
-  std::array<int, 3> trace(TestScene &scene) {
+  std::array<int, 3> trace(TestScene &scene, const char *device = "cpu") {
     scene.view.camera = {.eye = {0.05f, 0.02f, 5}};
     scene.view.camera.left = scene.view.camera.bottom = 0;
     scene.view.camera.columns = scene.view.camera.rows = 1;
     if (scene.lights.empty()) scene.lights.push_back(ambientOnly());
     uint32_t pixel = 0;
-    mCounts = createDevice("cpu", 1)->trace(scene.update(), {&pixel, 1, 1});
+    mCounts = createDevice(device, 1)->trace(scene.update(), {&pixel, 1, 1});
     return {int(pixel & 255), int(pixel >> 8 & 255), int(pixel >> 16 & 255)};
   }
 
@@ -48,6 +49,14 @@ class Frame : public testing::Test {
     LightRow light;
     light.ambient = Rgb(1);
     light.diffuse = light.specular = Rgb(0);
+    return light;
+  }
+
+  // Light from above that adds so many steps of a byte to what is white.
+  static LightRow overhead(float steps) {
+    LightRow light;
+    light.ambient = light.specular = Rgb(0);
+    light.diffuse = Rgb(steps * kStep);
     return light;
   }
 
@@ -111,6 +120,48 @@ TEST_F(Frame, WeakRaysAreDroppedAtTheThreshold) {
   scene.view.minWeight = 0.06f;
   EXPECT_EQ(trace(scene)[0], 0);
   EXPECT_EQ(mCounts.reflected, 0u);
+}
+
+// Light that changes a pixel by less than half a step is not worth a ray, as long as all such light together changes it
+// by no more than one.
+TEST_F(Frame, ShadowsOfWeakLightAreNotAskedFor) {
+  addSquare(0, kGround);
+  addSquare(9, kPane);  // above the viewer, below the lights
+  TestScene scene(mTriangles);
+  scene.materials[kGround].diffuse = Rgb(1);
+  const auto rays = [&](std::initializer_list<float> steps, const char *device) {
+    scene.lights.clear();
+    for (const float step : steps) scene.lights.push_back(overhead(step));
+    trace(scene, device);
+    return mCounts.shadow;
+  };
+  for (const char *device : {"ref", "cpu"}) {
+    scene.view.ignorable = kStep;
+    EXPECT_EQ(rays({0.4f}, device), 0u);
+    EXPECT_EQ(rays({0.6f}, device), 1u);
+    EXPECT_EQ(rays({0.4f, 0.4f, 0.4f, 0.1f}, device), 1u);  // the third would be too much, the fourth is not
+    scene.view.ignorable = 0;
+    EXPECT_EQ(rays({0.4f}, device), 1u);
+  }
+}
+
+// What a pixel may be off by because of weak light, it cannot lack because of weak rays too.
+TEST_F(Frame, WeakLightLeavesLessForWeakRays) {
+  addSquare(0, kPane);
+  addSquare(9, kGround);
+  TestScene scene(mTriangles);
+  scene.materials[kPane].diffuse = Rgb(1);
+  scene.materials[kPane].reflection = Rgb(0.3f * kStep);
+  scene.view.ignorable = kStep;
+  for (const char *device : {"ref", "cpu"}) {
+    scene.lights = {overhead(0.45f)};
+    trace(scene, device);
+    EXPECT_EQ(mCounts.all(), 1u);
+    scene.lights.push_back(overhead(0.45f));
+    trace(scene, device);
+    EXPECT_EQ(mCounts.shadow, 0u);
+    EXPECT_EQ(mCounts.reflected, 1u);
+  }
 }
 
 // Snell: a ray at 45 degrees into index 1.5 leaves at asin(sin 45 / 1.5) = 28.1 degrees. The edge of what lies

@@ -51,5 +51,14 @@ TEST(Tolerance, WhatGoesStraightOnGetsAsMuchAsEachOther) {
   EXPECT_FLOAT_EQ(straightShare(2), 1.0f / 3);
 }
 
+TEST(Tolerance, LightWeighsWhatTheRayWouldThatBringsIt) {
+  SceneView scene;
+  scene.ignorable = kStep / 4;  // rays bring four times white at the most
+  EXPECT_FLOAT_EQ(weightOf(scene, 4), 1);
+  EXPECT_FLOAT_EQ(weightOf(scene, 0.5f), 0.125f);
+  scene.ignorable = 0;  // nothing bounds what they bring
+  EXPECT_EQ(weightOf(scene, 100), 0);
+}
+
 }  // namespace
 }  // namespace rc::test

@@ -48,6 +48,7 @@ class Shader {
     } else if (mCoverage < 1) {
       mStraightShare = straightShare(secondaryKinds(*mMaterial, out.bounces >= scene.maxBounces));
     }
+    mTolerance = item.tolerance * (1 - mStraightShare);
     if (mTriangle->flags & kTangentFrame && mMaterial->normalMap != kNoTexture) bendNormal();
   }
 
@@ -138,13 +139,21 @@ class Shader {
       add(weight * term.ambient);
       const Rgb direct = weight * term.direct;
       if (maxComponent(direct) <= 0) continue;
-      if (!mScene.shadows || !light.castsShadow) {
+      if (!mScene.shadows || !light.castsShadow || isWeak(direct)) {
         add(direct);
         continue;
       }
       mOut.shadows[i].push({shadowRay(light, mPoint, term), direct, mItem.pixel, mHit.primitive});
       ++mOut.counts.shadow;
     }
+  }
+
+  // Whether its shadow may be left out; then what else may be is less.
+  bool isWeak(const Rgb &light) {
+    const float weight = weightOf(mScene, maxComponent(light));
+    if (weight >= std::min(mTolerance, mostLeftOut(mScene))) return false;
+    mTolerance -= weight;
+    return true;
   }
 
   // The same ray, for what lies behind this hit.
@@ -186,11 +195,10 @@ class Shader {
     const float eta = mPoint.front ? 1 / mMaterial->refractionIndex : mMaterial->refractionIndex;
     const float cosine = -glm::dot(mItem.ray.direction, mPoint.normal);
     const float k = 1 - eta * eta * (1 - cosine * cosine);
-    const float tolerance = mItem.tolerance * (1 - mStraightShare);
-    if (k < 0) return reflect(reflected + refracted, tolerance);
+    if (k < 0) return reflect(reflected + refracted, mTolerance);
     const TwoShares shares = sharesOf(*mMaterial);
-    reflect(reflected, besides(tolerance, maxComponent(refracted), shares.refracted));
-    const float left = besides(tolerance, maxComponent(reflected), shares.reflected);
+    reflect(reflected, besides(mTolerance, maxComponent(refracted), shares.refracted));
+    const float left = besides(mTolerance, maxComponent(reflected), shares.reflected);
     if (!counts(refracted, left, mItem.layers)) return;
     Vec3 bent = eta * mItem.ray.direction + (eta * cosine - std::sqrt(k)) * mPoint.normal;
     const float depth = glm::dot(bent, mPoint.flatNormal);
@@ -227,6 +235,7 @@ class Shader {
   float mTexelAlpha = 1;
   float mCoverage = 1;       // share of the surface that is there
   float mStraightShare = 0;  // of what may be left out: for what goes straight on
+  float mTolerance;          // what is left of it for the rest
   bool mTextured = false;
   bool mSeenBefore;  // as another triangle of the same surface
 };

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The raycore authors
 //
 // tolerance.h: which rays are left out, and how those that leave a hit share what may be left out behind it
-// (RayItem::tolerance): all that is left out, however many rays that are, weighs no more than what a pixel may lack.
+// (RayItem::tolerance): all that is left out, however many rays that are, weighs no more than what a pixel may be off.
 // In: what may be left out, weights of rays.  Out: what may be left out of each.
 #pragma once
 
@@ -12,6 +12,8 @@
 #include "rchal/scene_view.h"
 
 namespace rc::hal {
+
+inline constexpr float kStep = 1.0f / 256;  // of a byte, or a little less
 
 inline int secondaryKinds(const MaterialRow &material, bool last) {
   return last ? 0 : (maxComponent(material.reflection) > 0) + (maxComponent(material.transmittance) > 0);
@@ -40,6 +42,10 @@ inline float besides(float tolerance, float otherWeight, float otherShare) {
 
 // The most that a ray may weigh which is left out by itself: half a step of a byte.
 inline float mostLeftOut(const SceneView &scene) { return 0.5f * scene.ignorable; }
+
+// What light weighs: as much as a ray that brings so much at the most. Where it weighs less than a ray which is left
+// out, nobody asks whether something is in its way: it arrives.
+inline float weightOf(const SceneView &scene, float light) { return light * (scene.ignorable / kStep); }
 
 // Where every hit of a ray makes two or three, their number grows as a power of the hits on the way: bounces, and
 // layers that were there in part. The parts of what may be left out shrink as fast. After so many hits only rays count

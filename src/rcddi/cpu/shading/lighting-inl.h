@@ -73,10 +73,12 @@ RC_STEP size_t pushShadowRays(const hal::LightRow &light, const SurfaceLanes &su
   });
 }
 
-// Adds the light to `own` where no shadow can be; asks its queue elsewhere. Returns how many shadow rays that made.
-RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::MaterialRow &material,
-                        const SurfaceLanes &surface, const V3 &view, const ColourLanes &colours, M shaded,
-                        const RayLanes &rays, hal::ShadowQueue &queue, V3 &own) {
+// Adds a light of the scene to `own` where no shadow can be or none would show; asks its queue elsewhere.
+RC_STEP void addLight(const Shading &shading, size_t place, const hal::MaterialRow &material,
+                      const SurfaceLanes &surface, const V3 &view, const ColourLanes &colours, M shaded,
+                      const RayLanes &rays, F &tolerance, V3 &own) {
+  const hal::SceneView &scene = shading.scene;
+  const hal::LightRow &light = scene.lights[place];
   const V3 towards = light.directional ? all(light.position) : all(light.position) - surface.position;
   const F distance = light.directional ? all(kInfinity) : length(towards);
   const V3 direction = light.directional ? towards : directionOf(towards, distance, surface.normal);
@@ -86,7 +88,7 @@ RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::Mat
   }
   const F cosine = dot(surface.normal, direction);
   const M facing = hn::And(shaded, hn::Gt(cosine, zero()));
-  if (none(facing)) return 0;
+  if (none(facing)) return;
   V3 direct = colours.diffuse * all(light.diffuse);
   const Rgb highlight = material.specular * light.specular;
   if (!isDark(highlight)) {
@@ -99,12 +101,22 @@ RC_STEP size_t addLight(const hal::LightRow &light, bool shadows, const hal::Mat
     }
   }
   direct = colours.weight * (hn::Mul(strength, cosine) * direct);
-  const M lit = hn::And(facing, hn::Gt(maxComponent(direct), zero()));
-  if (none(lit)) return 0;
-  if (shadows && light.castsShadow)
-    return pushShadowRays(light, surface, {towards, direction, distance}, direct, rays, lit, queue);
+  const F strongest = maxComponent(direct);
+  M lit = hn::And(facing, hn::Gt(strongest, zero()));
+  if (none(lit)) return;
+  if (scene.shadows && light.castsShadow) {
+    const F weight = hn::Mul(strongest, all(hal::weightOf(scene, 1)));
+    const M weak = hn::And(lit, hn::Lt(weight, hn::Min(tolerance, all(hal::mostLeftOut(scene)))));
+    const M asked = hn::AndNot(weak, lit);
+    if (!none(asked)) {
+      shading.out.counts.shadow += pushShadowRays(light, surface, {towards, direction, distance}, direct, rays, asked,
+                                                  shading.out.shadows[place]);
+    }
+    if (none(weak)) return;
+    tolerance = hn::Sub(tolerance, onlyWhere(weak, weight));
+    lit = weak;
+  }
   own = own + onlyWhere(lit, direct);
-  return 0;
 }
 
 }  // namespace rc::ddi::cpu::HWY_NAMESPACE

@@ -85,15 +85,13 @@ RC_STEP V3 bentNormals(const Shading &shading, const Kind &kind, const RayLanes 
 
 // The surface's own colour: what it sends out, and what the lights make of it.
 RC_STEP void shadeLocal(const Shading &shading, const hal::MaterialRow &material, const RayLanes &rays,
-                        const SurfaceLanes &surface, const ColourLanes &colours, M shaded) {
-  const hal::SceneView &scene = shading.scene;
+                        const SurfaceLanes &surface, const ColourLanes &colours, F &tolerance, M shaded) {
   const M local = hn::And(shaded, hn::Gt(maxComponent(colours.weight), zero()));
   if (none(local)) return;
-  V3 own = colours.weight * (all(material.emission) + all(scene.globalAmbient) * colours.ambient);
+  V3 own = colours.weight * (all(material.emission) + all(shading.scene.globalAmbient) * colours.ambient);
   const V3 view = -rays.direction;
-  for (size_t i = 0; i < scene.lights.size(); ++i) {
-    shading.out.counts.shadow += addLight(scene.lights[i], scene.shadows, material, surface, view, colours, local, rays,
-                                          shading.out.shadows[i], own);
+  for (size_t i = 0; i < shading.scene.lights.size(); ++i) {
+    addLight(shading, i, material, surface, view, colours, local, rays, tolerance, own);
   }
   addToPixels(own, local, rays.pixel, shading.out.sums);
 }
@@ -116,7 +114,7 @@ RC_STEP void shadeSurface(const Shading &shading, const Kind &kind, const RayLan
   }
   const bool whole = kind.secondary == 0;
   if (!whole) colours.weight = weight * all(Rgb(1) - material.reflection - material.transmittance);
-  shadeLocal(shading, material, rays, surface, colours, shaded);
+  shadeLocal(shading, material, rays, surface, colours, tolerance, shaded);
   if (!whole) reflectAndRefract(shading, material, rays, surface, weight, tolerance, shaded);
 }
 
