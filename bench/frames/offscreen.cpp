@@ -15,9 +15,10 @@ void useThreads(int threads) { setenv("RAYCORE_THREADS", std::to_string(threads)
 Offscreen::Offscreen(int width, int height) : mWidth(width), mHeight(height) {
   const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
   mDisplay = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  const EGLint bytes[] = {EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_NONE};
   EGLConfig config;
   EGLint count = 0;
-  if (!eglInitialize(mDisplay, nullptr, nullptr) || !eglChooseConfig(mDisplay, nullptr, &config, 1, &count) ||
+  if (!eglInitialize(mDisplay, nullptr, nullptr) || !eglChooseConfig(mDisplay, bytes, &config, 1, &count) ||
       !(mSurface = eglCreatePbufferSurface(mDisplay, config, size)) ||
       !(mContext = eglCreateContext(mDisplay, config, EGL_NO_CONTEXT, nullptr)) ||
       !eglMakeCurrent(mDisplay, mSurface, mSurface, mContext)) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include "frames/glass.h"
+
 namespace rc::bench {
 namespace {
 
@@ -30,16 +32,6 @@ Vertices smoothNormals(const Vertices &vertices) {
 // Triangles first ... end - 1.
 Mesh part(const Vertices &vertices, size_t first, size_t end, const Surface &surface) {
   return {{vertices.begin() + std::ptrdiff_t(3 * first), vertices.begin() + std::ptrdiff_t(3 * end)}, {}, surface};
-}
-
-void makeCornell(const Soup &soup, FrameScene &scene) {
-  const Surface white{Vec3(0.75f)}, block{Vec3(0.7f), 0.4f, 40}, mirror{Vec3(0.05f), 0.6f, 80, 0.85f};
-  scene.meshes = {part(soup.vertices, 0, 6, white),
-                  part(soup.vertices, 6, 8, {{0.1f, 0.6f, 0.1f}}),
-                  part(soup.vertices, 8, 10, {{0.6f, 0.08f, 0.08f}}),
-                  part(soup.vertices, 10, 12, white),
-                  part(soup.vertices, 12, 22, block),
-                  part(soup.vertices, 22, 32, mirror)};
 }
 
 void makeBunny(const Soup &soup, FrameScene &scene) {
@@ -147,7 +139,18 @@ bool writeSoup(const std::string &path, const Vertices &vertices) {
 
 }  // namespace
 
+std::vector<Mesh> cornellMeshes(const Soup &soup) {
+  const Surface white{Vec3(0.75f)}, block{Vec3(0.7f), 0.4f, 40}, mirror{Vec3(0.05f), 0.6f, 80, 0.85f};
+  return {part(soup.vertices, 0, 6, white),
+          part(soup.vertices, 6, 8, {{0.1f, 0.6f, 0.1f}}),
+          part(soup.vertices, 8, 10, {{0.6f, 0.08f, 0.08f}}),
+          part(soup.vertices, 10, 12, white),
+          part(soup.vertices, 12, 22, block),
+          part(soup.vertices, 22, 32, mirror)};
+}
+
 std::optional<FrameScene> loadFrameScene(const std::string &name, const std::string &folder) {
+  if (std::optional<FrameScene> scene = loadGlassScene(name)) return scene;
   if (const size_t digits = name.find_first_of("0123456789"); digits != 0 && digits != std::string::npos) {
     const int number = std::atoi(name.c_str() + digits);
     const std::string kind = name.substr(0, digits);
@@ -160,7 +163,7 @@ std::optional<FrameScene> loadFrameScene(const std::string &name, const std::str
   if (!soup) return std::nullopt;
   FrameScene scene{name, name, {}, {}, soup->camera, {soup->light}};
   if (name == "cornell") {
-    makeCornell(*soup, scene);
+    scene.meshes = cornellMeshes(*soup);
   } else if (name == "bunny") {
     makeBunny(*soup, scene);
   } else if (name == "swarm") {

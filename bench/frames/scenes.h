@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The raycore authors
 //
-// scenes.h: the scenes of whole frames, as the Whitted renderer on Embree that they are compared with has them:
-// the same triangles, materials, light and camera.
+// scenes.h: the scenes of whole frames, as the renderers that they are compared with have them: the same triangles,
+// materials, light and camera.
 #pragma once
 
 #include "peers/soup.h"
@@ -12,7 +12,11 @@ namespace rc::bench {
 struct Surface {
   Vec3 colour{0.75f};
   float specular = 0, shininess = 1, reflection = 0;
+  float transmittance = 0, refractionIndex = 1;
 };
+
+inline constexpr Vec3 kBackground{0.1f, 0.15f, 0.25f};
+inline constexpr float kAmbient = 0.15f;  // of the light
 
 struct Mesh {
   std::vector<Vec3> vertices;  // three a triangle
@@ -22,7 +26,7 @@ struct Mesh {
 
 struct FrameScene {
   std::string name;
-  std::string peer;          // what the peer calls it
+  std::string peer;          // what the Whitted renderer on Embree calls it; empty: it does not have it
   std::vector<Mesh> meshes;  // static
   std::vector<Mesh> moving;  // drawn anew for each frame
   Camera camera;
@@ -30,10 +34,14 @@ struct FrameScene {
   int bounces = 14;
 };
 
-// Those that the peer has too: "cornell", "bunny", "sponza", "sponzamirror", "dyn70k", "dyn10k". Ours alone: "swarm",
-// 100 balls of 100 triangles that move one by one in Sponza; with a number behind it, "hills" of so many triangles,
-// "lights" over a bunny, "bounces" in a room of mirrors. Nothing where a file is missing.
+// Those that the Whitted renderer on Embree has too: "cornell", "bunny", "sponza", "sponzamirror", "dyn70k", "dyn10k".
+// Those of glass.h. Ours alone: "swarm", 100 balls of 100 triangles that move one by one in Sponza; with a number
+// behind it, "hills" of so many triangles, "lights" over a bunny, "bounces" in a room of mirrors. Nothing where a file
+// is missing.
 std::optional<FrameScene> loadFrameScene(const std::string &name, const std::string &folder);
+
+// The measured box of Cornell University, one of its blocks a mirror.
+std::vector<Mesh> cornellMeshes(const Soup &soup);
 
 // The moving mesh at a frame: turns about an axis and breathes.
 void deform(const Mesh &still, int frame, std::vector<Vec3> &vertices);

@@ -14,7 +14,7 @@ Stage::Stage(const FrameScene &scene, int width, int height) : mScene(scene), mS
 
 void Stage::setUp() {
   const Camera &camera = mScene.camera;
-  static const float ambient[] = {0.15f, 0.15f, 0.15f, 1}, white[] = {1, 1, 1, 1};
+  static const float ambient[] = {kAmbient, kAmbient, kAmbient, 1}, white[] = {1, 1, 1, 1};
   rcEnable(RC_LIGHTING);
   for (size_t i = 0; i < mScene.lights.size(); ++i) {
     const auto light = RCenum(RC_LIGHT0 + i);
@@ -25,7 +25,7 @@ void Stage::setUp() {
     rcLightfv(light, RC_DIFFUSE, white);
     rcLightfv(light, RC_SPECULAR, white);
   }
-  rcClearColor(0.1f, 0.15f, 0.25f, 1);
+  rcClearColor(kBackground.x, kBackground.y, kBackground.z, 1);
   rcuPerspective(camera.degrees, float(mScreen.width()) / float(mScreen.height()), 0.01f, 10000);
   rcuLookAt(camera.eye.x, camera.eye.y, camera.eye.z, camera.at.x, camera.at.y, camera.at.z, 0, 1, 0);
   rcDepthBounce(mScene.bounces);
@@ -45,11 +45,14 @@ RCuint Stage::makeMaterial(const Surface &surface) const {
   rcMaterialfv(RC_FRONT_AND_BACK, RC_SPECULAR, grey(surface.specular).data());
   rcMaterialf(RC_FRONT_AND_BACK, RC_SHININESS, surface.shininess);
   rcMaterialfv(RC_FRONT_AND_BACK, RC_REFLECTION, grey(surface.reflection).data());
+  rcMaterialfv(RC_FRONT_AND_BACK, RC_TRANSMITTANCE, grey(surface.transmittance).data());
+  rcMaterialf(RC_FRONT_AND_BACK, RC_REFRACTION_INDEX, surface.refractionIndex);
   return name;
 }
 
 void Stage::drawMesh(const Mesh &mesh, const std::vector<Vec3> &vertices, RCuint material) const {
   rcBindMaterial(material);
+  (mesh.surface.transmittance > 0 ? rcEnable : rcDisable)(RC_USE_TRANSMITTANCE_SHADOW);
   rcEnableClientState(RC_VERTEX_ARRAY);
   rcVertexPointer(3, RC_FLOAT, 0, vertices.data());
   if (!mesh.normals.empty()) {
@@ -67,7 +70,9 @@ void Stage::deformAll(int frame) {
 
 void Stage::submit(int frame) const {
   for (size_t i = 0; i < mDeformed.size(); ++i) drawMesh(mScene.moving[i], mDeformed[i], mMovingMaterial);
-  if (mScene.moving.empty()) rcClearColor(0.1f, 0.15f, frame % 2 ? 0.25f : 0.26f, 1);  // else nothing has changed
+  // Else nothing has changed.
+  const float blue = kBackground.z + (frame % 2 ? 0 : 0.01f);
+  if (mScene.moving.empty()) rcClearColor(kBackground.x, kBackground.y, blue, 1);
 }
 
 FrameTimes Stage::draw(int frame) {

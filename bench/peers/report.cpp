@@ -15,7 +15,7 @@ namespace {
   std::fprintf(stderr,
                "usage: %s [--scenes DIR] [--json FILE] [--only NAME[,NAME]] [--who PART[,PART]] [--kind PART] [--size "
                "WxH[,WxH]] [--threads N[,N]] "
-               "[--rounds N] [--clock wall|cpu] [--peer PROGRAM] [--pictures DIR]\n",
+               "[--rounds N] [--clock wall|cpu] [--peer PROGRAM] [--povray PROGRAM] [--pictures DIR]\n",
                program);
   std::exit(2);
 }
@@ -64,6 +64,8 @@ Arguments readArguments(int argc, char **argv) {
       arguments.chosen = true;
     } else if (option == "--peer") {
       arguments.peer = value;
+    } else if (option == "--povray") {
+      arguments.povRay = value;
     } else if (option == "--pictures") {
       arguments.pictures = value;
     } else if (option == "--size") {

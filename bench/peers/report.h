@@ -15,6 +15,7 @@ struct Arguments {
   std::string scenes = "../shared/scenes";
   std::string json;              // written if not empty
   std::string peer;              // a program that frames are compared with
+  std::string povRay;            // POV-Ray, likewise
   std::string pictures;          // the folder that frames are written to, if not empty
   std::string kind;              // only kinds whose names contain this
   std::vector<std::string> who;  // only those whose names contain one of these
@@ -27,7 +28,7 @@ struct Arguments {
 };
 
 // --scenes DIR --json FILE --only NAME[,NAME] --who PART[,PART] --kind PART --size WxH[,WxH] --threads N[,N] --rounds N
-// --clock wall|cpu --peer PROGRAM --pictures DIR. Ends the program on others.
+// --clock wall|cpu --peer PROGRAM --povray PROGRAM --pictures DIR. Ends the program on others.
 Arguments readArguments(int argc, char **argv);
 
 // Seconds from here to seconds(). On a machine that is busy with other work, what one thread does is better measured by
