@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <map>
 
@@ -88,9 +87,8 @@ PovRayTimes runPovRay(const std::string &program, const std::string &path, const
   char line[256];
   while (std::fgets(line, sizeof line, output)) {
     double seconds = 0;
-    const char *place = std::strstr(line, "Trace Time:");
-    if (place && std::sscanf(std::strchr(place, '('), "(%lf seconds", &seconds) == 1)
-      times.milliseconds = 1e3 * seconds;
+    const char *format = " Trace Time: %*d hours %*d minutes %*d seconds (%lf seconds";
+    if (std::sscanf(line, format, &seconds) == 1) times.milliseconds = 1e3 * seconds;
     std::sscanf(line, "Rays: %lf", &times.rays);
   }
   pclose(output);
