@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "frames/povray.h"
+#include "frames/program.h"
 #include "frames/stage.h"
 #include "peers/report.h"
 
@@ -40,12 +41,9 @@ double peerMilliseconds(const Run &run, const FrameScene &scene, const std::stri
         .append(run.arguments.peer)
         .append("' ")
         .append(scene.peer);
-    command.append(moves ? how : "").append(" ").append(std::to_string(kFrames)).append(" 2>&1");
-    std::FILE *output = popen(command.c_str(), "r");
-    if (!output) return 0;
+    command.append(moves ? how : "").append(" ").append(std::to_string(kFrames));
     double fastest = 0, build = 0;
-    char line[256];
-    while (std::fgets(line, sizeof line, output)) {
+    forEachLineOf(command, [&](const char *line) {
       int ofThreads = 0;
       double value = 0;
       const char *place = std::strstr(line, " thr: median");
@@ -53,8 +51,7 @@ double peerMilliseconds(const Run &run, const FrameScene &scene, const std::stri
         if (fastest == 0 || value < fastest) fastest = value;
       }
       if (std::sscanf(line, " dynamic rebuild: median %lf", &value) == 1) build = value;
-    }
-    pclose(output);
+    });
     if (fastest > 0 && (best == 0 || fastest + build < best)) best = fastest + build;
   }
   return best;

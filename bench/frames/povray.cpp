@@ -7,6 +7,8 @@
 #include <fstream>
 #include <map>
 
+#include "frames/program.h"
+
 namespace rc::bench {
 namespace {
 
@@ -80,18 +82,14 @@ PovRayTimes runPovRay(const std::string &program, const std::string &path, const
                       int height, int threads) {
   std::string command = "'" + program + "' -D -A +I'" + path + "' +W" + std::to_string(width);
   command.append(" +H").append(std::to_string(height)).append(" +WT").append(std::to_string(threads));
-  command.append(picture.empty() ? " -F" : " File_Gamma=1 +FN +O'" + picture + "'").append(" 2>&1");
-  std::FILE *output = popen(command.c_str(), "r");
-  if (!output) return {};
+  command.append(picture.empty() ? " -F" : " File_Gamma=1 +FN +O'" + picture + "'");
   PovRayTimes times;
-  char line[256];
-  while (std::fgets(line, sizeof line, output)) {
+  forEachLineOf(command, [&](const char *line) {
     double seconds = 0;
     const char *format = " Trace Time: %*d hours %*d minutes %*d seconds (%lf seconds";
     if (std::sscanf(line, format, &seconds) == 1) times.milliseconds = 1e3 * seconds;
     std::sscanf(line, "Rays: %lf", &times.rays);
-  }
-  pclose(output);
+  });
   return times;
 }
 

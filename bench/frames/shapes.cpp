@@ -73,8 +73,8 @@ Mesh box(const Vec3 &lower, const Vec3 &upper) {
 
 Mesh knot(const Vec3 &centre, float size, float thickness) {
   return grid(400, 40, [&](double u, double v) -> SurfacePoint {
-    const double along = 2 * pi * u, around = v == 1 ? 0 : 2 * pi * v;
-    const glm::dvec3 here = trefoil(u == 1 ? 0 : along), forward = trefoil((u == 1 ? 0 : along) + 1e-3) - here;
+    const double along = u == 1 ? 0 : 2 * pi * u, around = v == 1 ? 0 : 2 * pi * v;
+    const glm::dvec3 here = trefoil(along), forward = trefoil(along + 1e-3) - here;
     const glm::dvec3 side = glm::normalize(glm::cross(forward, {0.3, 0.1, 1}));
     const glm::dvec3 up = glm::normalize(glm::cross(side, forward));
     const Vec3 normal(std::cos(around) * side + std::sin(around) * up);
